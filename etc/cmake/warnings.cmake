@@ -1,0 +1,10 @@
+# The warnings every target of the suite is compiled with.
+add_library(suiteWarnings INTERFACE)
+target_compile_options(suiteWarnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+if(CONTINUA_WERROR)
+    target_compile_options(suiteWarnings INTERFACE -Werror)
+endif()
+if(CONTINUA_SANITIZE)
+    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=address,undefined)
+endif()

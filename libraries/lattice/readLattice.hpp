@@ -1,0 +1,25 @@
+#pragma once
+
+#include "dictionary/Dictionary.hpp"
+#include "dictionary/Schema.hpp"
+#include "lattice/Lattice.hpp"
+
+namespace isph
+{
+
+/// The lattice that constant/lattice describes (written by makeLattice).
+/// \throws Error(input) where the file contradicts itself.
+Lattice readLattice(const Dictionary& dictionary);
+
+/// The lattice that system/latticeDict asks for (contract, section 2).
+/// \throws Error(input): a face in no patch or in two, a periodic patch with one face, an extent that is no multiple of
+///         the spacing, counts out of range, ...
+Lattice makeLattice(const Dictionary& latticeDict);
+
+/// The dictionary constant/lattice: the resolved facts plus spacings.
+std::string latticeText(const Lattice& lattice);
+
+const Schema& latticeSchema();     ///< of constant/lattice
+const Schema& latticeDictSchema(); ///< of system/latticeDict
+
+} // namespace isph
