@@ -31,17 +31,23 @@ struct Listing
 struct Application
 {
     std::string_view name;
-    std::string_view summary;             ///< one line
-    std::string_view examples;            ///< command lines that work, a line each
-    std::vector<Option> options = {};     ///< besides the common ones
-    std::string_view positional = "";     ///< help text of arguments without a dash, "DICTIONARY"; empty: none allowed
+    std::string_view summary;         ///< one line
+    std::string_view examples;        ///< command lines that work, a line each
+    std::vector<Option> options = {}; ///< besides the common ones
+    std::string_view positional = ""; ///< help text of arguments without a dash, "DICTIONARY"; empty: none allowed
     std::vector<Listing> listings = {};
-    bool banner = true;                   ///< header (version, host, date, case) and "End" around the report
+    bool banner = true; ///< header (version, host, date, case) and "End" around the report
 };
 
 /// Options shared by the programs that work on times or on fields (contract, section 6).
-extern const std::vector<Option> timeOptions;  ///< -time RANGES, -latestTime, -noZero
-extern const std::vector<Option> fieldOptions; ///< -fields '(U p)'
+inline const std::vector<Option> timeOptions{
+    {"time", "RANGES", "times to work on: values and ranges, e.g. 0.1,0.5:1 or :2 or 3:"},
+    {"latestTime", "", "the latest time only"},
+    {"noZero", "", "leave out time 0"},
+};
+inline const std::vector<Option> fieldOptions{
+    {"fields", "'(U p)'", "fields to work on"},
+};
 
 /// A parsed command line. Common options: -case DIR, -help, -version, -quiet, and the listings of the program.
 class CommandLine
@@ -71,6 +77,9 @@ private:
     std::vector<std::string> positional_;
     std::string text_;
 };
+
+/// What -<listing> prints: "word    summary", a line each.
+std::string listingText(const Listing& listing);
 
 /// Help text of a program: usage, options, listings, examples.
 std::string helpText(const Application& application);

@@ -8,8 +8,8 @@ namespace isph
 std::string toString(const Origin& origin)
 {
     std::string text = origin.file;
-    if (origin.line > 0) { text += ":" + std::to_string(origin.line); }
-    if (!origin.entry.empty()) { text += (text.empty() ? "" : ": ") + origin.entry; }
+    if (origin.line > 0) { text.append(":").append(std::to_string(origin.line)); }
+    if (!origin.entry.empty()) { text.append(text.empty() ? "" : ": ").append(origin.entry); }
     return text;
 }
 
@@ -29,8 +29,8 @@ Error::Error(Fault fault, std::vector<Complaint> complaints) : fault_(fault), co
     {
         if (!text_.empty()) { text_ += '\n'; }
         const std::string where = toString(complaint.origin);
-        text_ += where + (where.empty() ? "" : ": ") + complaint.what;
-        if (!complaint.advice.empty()) { text_ += "\n    " + complaint.advice; }
+        text_.append(where).append(where.empty() ? "" : ": ").append(complaint.what);
+        if (!complaint.advice.empty()) { text_.append("\n    ").append(complaint.advice); }
     }
 }
 

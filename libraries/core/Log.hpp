@@ -13,12 +13,25 @@ namespace isph
 class Log
 {
 public:
-    enum class Report { standardOutput, standardError, none };
+    enum class Report
+    {
+        standardOutput,
+        standardError,
+        none
+    };
 
-    explicit Log(Report report = Report::standardOutput);
+    /// \param program prefix of warnings ("makeLattice: warning: ..."); may be empty
+    explicit Log(Report report = Report::standardOutput, std::string program = "");
+    Log(const Log&) = delete;
+    Log& operator=(const Log&) = delete;
+    ~Log();
 
-    /// One line of report.
+    /// One line of report, flushed: what a killed program said before is on the screen or in the file.
     void line(std::string_view text = "");
+
+    /// A line that the next one (of any kind) replaces, e.g. of progress; only on a terminal, else nothing.
+    /// An empty text takes it away.
+    void status(std::string_view text);
 
     /// A warning, at once to standard error; the same text is printed only the first time, and counted.
     void warning(const std::string& text);
@@ -34,8 +47,16 @@ public:
     std::ostream& stream();
 
 private:
+    struct Warning
+    {
+        std::string text;
+        long count;
+    };
+
     Report report_;
-    struct Warning { std::string text; long count; };
+    std::string program_;
+    std::ostream null_{nullptr};
+    bool statusShown_ = false;
     std::vector<Warning> warnings_;
 };
 

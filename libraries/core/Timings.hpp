@@ -8,10 +8,20 @@ namespace isph
 {
 
 /// Where the time of a run goes (keys of "seconds" in report.json). What no scope claims is "other".
-enum class Phase { setup, transforms, pointwise, boundary, continuation, poisson, functions, output };
+enum class Phase
+{
+    setup,
+    transforms,
+    pointwise,
+    boundary,
+    continuation,
+    poisson,
+    functions,
+    output
+};
 
-inline constexpr std::array<std::string_view, 8> phaseNames{
-    "setup", "transforms", "pointwise", "boundary", "continuation", "poisson", "functions", "output"};
+inline constexpr std::array<std::string_view, 8> phaseNames{"setup",        "transforms", "pointwise", "boundary",
+                                                            "continuation", "poisson",    "functions", "output"};
 
 /// Wall-clock seconds by phase. A scope nested in another takes its time out of the outer one, so that phases add up.
 class Timings
