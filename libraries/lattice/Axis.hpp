@@ -8,12 +8,16 @@ namespace isph
 /// One direction of a lattice.
 struct Axis
 {
-    enum class Ends { periodic, bounded };
+    enum class Ends
+    {
+        periodic,
+        bounded
+    };
 
     char name = 'x';
-    double origin = 0;   ///< lower end [m]
-    double extent = 0;   ///< length [m]; 0 for an axis that is left out
-    int count = 1;       ///< points
+    double origin = 0; ///< lower end [m]
+    double extent = 0; ///< length [m]; 0 for an axis that is left out
+    int count = 1;     ///< points
     Ends ends = Ends::periodic;
     bool staggered = false; ///< bounded axes: points half a spacing inside the walls instead of on both
 

@@ -13,7 +13,12 @@ namespace isph
 /// A named part of the boundary: one or more faces of the box.
 struct Patch
 {
-    enum class Type { periodic, wall, patch };
+    enum class Type
+    {
+        periodic,
+        wall,
+        patch
+    };
 
     std::string name;
     Type type = Type::periodic;

@@ -4,6 +4,8 @@
 #include "dictionary/Schema.hpp"
 #include "lattice/Lattice.hpp"
 
+#include <string>
+
 namespace isph
 {
 
@@ -16,8 +18,11 @@ Lattice readLattice(const Dictionary& dictionary);
 ///         the spacing, counts out of range, ...
 Lattice makeLattice(const Dictionary& latticeDict);
 
-/// The dictionary constant/lattice: the resolved facts plus spacings.
+/// The dictionary constant/lattice: the resolved facts plus spacings. Its numbers read back exactly.
 std::string latticeText(const Lattice& lattice);
+
+/// "periodic", "bounded" or "leftOut".
+std::string toString(const Axis& axis);
 
 const Schema& latticeSchema();     ///< of constant/lattice
 const Schema& latticeDictSchema(); ///< of system/latticeDict
