@@ -11,7 +11,7 @@
 namespace isph
 {
 
-/// Reads what FieldWriter wrote. Every read verifies the checksums.
+/// Reads what FieldWriter wrote. Opening verifies the checksum of the whole file, reading those of the datasets.
 class FieldReader
 {
 public:

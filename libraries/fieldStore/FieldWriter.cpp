@@ -29,7 +29,7 @@ struct FieldWriter::File
 namespace
 {
 
-constexpr std::size_t memoryIncrement = std::size_t{1} << 20;
+constexpr std::size_t memoryIncrement = std::size_t{1} << 16;
 constexpr std::size_t chunkBytes = std::size_t{1} << 20;
 
 Hdf5Handle properties(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
@@ -95,14 +95,15 @@ bool putLattice(hid_t object, const Lattice& lattice)
            putAttribute(object, layout::staggeredName, H5T_STD_I32LE, space, staggered.data());
 }
 
-/// The largest block of whole rows or planes that has no more than chunkBytes: chunks are what checksums belong to.
+/// Even blocks of whole rows or planes, each of no more than chunkBytes: a checksum belongs to a chunk.
 std::vector<hsize_t> chunkOf(std::vector<hsize_t> extents, std::size_t valueBytes)
 {
     std::size_t bytes = valueBytes;
     for (std::size_t d = extents.size(); d-- > 0;)
     {
-        const std::size_t fitting = std::max<std::size_t>(chunkBytes / bytes, 1);
-        extents[d] = std::min<hsize_t>(extents[d], fitting);
+        const hsize_t fitting = std::max<std::size_t>(chunkBytes / bytes, 1);
+        const hsize_t blocks = (extents[d] + fitting - 1) / fitting;
+        extents[d] = (extents[d] + blocks - 1) / blocks;
         bytes *= extents[d];
     }
     return extents;
@@ -117,13 +118,14 @@ Hdf5Handle createDataset(hid_t parent, const std::string& name, hid_t type, cons
     const Hdf5Handle creation = properties(H5P_DATASET_CREATE);
     H5Pset_chunk(creation, rank, chunk.data());
     H5Pset_fletcher32(creation);
-    H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER);
+    H5Pset_fill_time(creation, H5D_FILL_TIME_ALLOC); // the same bytes also where a chunk reaches over the edge
     H5Pset_obj_track_times(creation, false);
     return {H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose};
 }
 
 /// Writes rows first ... first + count - 1 of the slowest dimension.
-bool writeRows(hid_t dataset, hid_t type, std::vector<hsize_t> extents, hsize_t first, hsize_t count, const void* values)
+bool writeRows(hid_t dataset, hid_t type, std::vector<hsize_t> extents, hsize_t first, hsize_t count,
+               const void* values)
 {
     std::vector<hsize_t> start(extents.size(), 0);
     start[0] = first;
@@ -156,11 +158,10 @@ FieldWriter::FieldWriter(const std::filesystem::path& file, const Lattice& latti
     silenceHdf5();
     file_ = std::make_unique<File>(File{OutputFile(file), memoryFile(file.string())});
     const hid_t root = file_->hdf5;
-    const bool good = file_->hdf5.valid() && putNumber(root, layout::formatVersionName, layout::formatVersion) &&
-                      putText(root, layout::programName, std::string("Continua ") + version) &&
-                      putLattice(root, lattice) &&
-                      Hdf5Handle(H5Gcreate2(root, layout::stateName, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose)
-                          .valid();
+    const bool good =
+        file_->hdf5.valid() && putNumber(root, layout::formatVersionName, layout::formatVersion) &&
+        putText(root, layout::programName, std::string("Continua ") + version) && putLattice(root, lattice) &&
+        Hdf5Handle(H5Gcreate2(root, layout::stateName, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose).valid();
     if (!good) { file_->fail(""); }
 }
 
@@ -210,13 +211,13 @@ void FieldWriter::writeState(const std::string& name, const RealField& field)
 void FieldWriter::close()
 {
     if (!file_) { return; }
-    hsize_t size = 0;
-    char** memory = nullptr;
-    const bool good = H5Fflush(file_->hdf5, H5F_SCOPE_GLOBAL) >= 0 && H5Fget_filesize(file_->hdf5, &size) >= 0 &&
-                      H5Fget_vfd_handle(file_->hdf5, H5P_DEFAULT, reinterpret_cast<void**>(&memory)) >= 0;
-    if (!good) { file_->fail(""); }
+    // The image is taken where it lies: H5Fget_file_image would copy it, and is asked for its size only.
+    void* memory = nullptr;
+    const bool flushed = H5Fflush(file_->hdf5, H5F_SCOPE_GLOBAL) >= 0;
+    const ssize_t size = H5Fget_file_image(file_->hdf5, nullptr, 0);
+    if (!flushed || size < 0 || H5Fget_vfd_handle(file_->hdf5, H5P_DEFAULT, &memory) < 0) { file_->fail(""); }
 
-    const std::span<const char> image(*memory, size);
+    const std::span<const char> image(*static_cast<const char**>(memory), static_cast<std::size_t>(size));
     const std::span<const char> contents = image.subspan(sealSize);
     file_->disk.write(sealOf(contents));
     file_->disk.write(contents);

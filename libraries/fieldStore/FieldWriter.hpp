@@ -11,9 +11,9 @@
 namespace isph
 {
 
-/// Writes <time>/fields.h5 (contract, section 1): scalars [nz][ny][nx], vectors [nz][ny][nx][3] with zeros for axes left
-/// out, lattice, units and format version as attributes, every dataset checksummed (Fletcher-32); besides them the state
-/// in the form the solver marches, in group "state".
+/// Writes <time>/fields.h5 (contract, section 1): scalars [nz][ny][nx], vectors [nz][ny][nx][3] with zeros for axes
+/// left out, lattice, units and format version as attributes, every dataset checksummed (Fletcher-32); besides them the
+/// state in the form the solver marches, in group "state".
 class FieldWriter
 {
 public:
@@ -30,7 +30,9 @@ public:
     void writeState(const std::string& name, const SpectralField& field);
     void writeState(const std::string& name, const RealField& field);
 
-    /// Flushes and closes; without it the destructor closes silently. \throws Error(input) e.g. when the disk is full.
+    /// Writes the whole file and returns when it is on the disk; until then it is gathered in memory. Without it the
+    /// file stays empty, which no reader accepts. The same data give the same bytes. \throws Error(input) naming the
+    /// file and the reason, e.g. when the disk is full.
     void close();
 
 private:

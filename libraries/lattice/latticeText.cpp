@@ -9,19 +9,6 @@ namespace isph
 namespace
 {
 
-std::string_view typeName(Patch::Type type)
-{
-    switch (type)
-    {
-    case Patch::Type::periodic:
-        return "periodic";
-    case Patch::Type::wall:
-        return "wall";
-    default:
-        return "patch";
-    }
-}
-
 /// "(a b c)" of something of each axis; fmt writes the shortest digits that read back exactly.
 template<class Function>
 std::string list(const Lattice& lattice, Function function)
@@ -50,7 +37,7 @@ std::string latticeText(const Lattice& lattice)
     for (const Patch& patch : lattice.patches())
     {
         text += fmt::format("    {}\n    {{\n        type    {};\n        faces   ({});\n    }}\n", patch.name,
-                            typeName(patch.type), fmt::join(patch.faces, " "));
+                            toString(patch.type), fmt::join(patch.faces, " "));
     }
     return text + "}\n";
 }

@@ -5,6 +5,7 @@
 #include "lattice/Lattice.hpp"
 
 #include <string>
+#include <string_view>
 
 namespace isph
 {
@@ -23,6 +24,9 @@ std::string latticeText(const Lattice& lattice);
 
 /// "periodic", "bounded" or "leftOut".
 std::string toString(const Axis& axis);
+
+/// "periodic", "wall" or "patch".
+std::string_view toString(Patch::Type type);
 
 const Schema& latticeSchema();     ///< of constant/lattice
 const Schema& latticeDictSchema(); ///< of system/latticeDict

@@ -1,6 +1,7 @@
 #include "lattice/readPatches.hpp"
 
 #include "core/Selection.hpp"
+#include "lattice/readLattice.hpp"
 
 #include <algorithm>
 #include <array>
@@ -142,6 +143,8 @@ private:
 };
 
 } // namespace
+
+std::string_view toString(Patch::Type type) { return Selection<Patch::Type>("patch type", patchTypes).nameOf(type); }
 
 const std::array<std::string, 6>& faceNames()
 {
