@@ -1,0 +1,15 @@
+#pragma once
+
+#include "case/Case.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace isph
+{
+
+/// nu and rho of constant/transportProperties, as far as they are given there: constants of every expression.
+std::vector<std::pair<std::string, double>> fluidConstants(const Case& theCase);
+
+} // namespace isph
