@@ -38,6 +38,8 @@ public:
     void readState(const std::string& name, RealField& field) const;
 
 private:
+    void require(const std::string& name) const;
+
     struct File;
     std::unique_ptr<File> file_;
 };

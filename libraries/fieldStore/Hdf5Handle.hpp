@@ -1,10 +1,13 @@
 #pragma once
 
+#include "core/Origin.hpp"
+
 #include <hdf5.h>
 
 #include <string>
 
 #include <utility>
+#include <vector>
 
 namespace isph
 {
@@ -37,8 +40,23 @@ private:
     Close close_ = nullptr;
 };
 
-/// What the library says about its last failure (the innermost message), instead of its stack on standard error.
-std::string hdf5Reason();
+/// Throws the error of a call that just failed: the problem ("cannot be read") and what the library says of it. To be
+/// called before any other handle closes, which would make the library forget.
+[[noreturn]] void throwHdf5Error(const Origin& origin, const std::string& problem);
+
+/// The result of a call, which is an identifier or a status. \throws Error(input) at origin if the call failed.
+template<class Result>
+Result checked(Result result, const Origin& origin, const char* problem)
+{
+    if (result < 0) { throwHdf5Error(origin, problem); }
+    return result;
+}
+
+/// Extents of a dataspace.
+std::vector<hsize_t> extentsOf(hid_t space);
+
+/// Selects rows first ... first + count - 1 of the slowest dimension; returns the extents of the selection.
+std::vector<hsize_t> selectRows(hid_t space, hsize_t first, hsize_t count);
 
 /// From now on the library prints nothing.
 inline void silenceHdf5() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }

@@ -2,7 +2,10 @@
 
 #include "fieldStore/Hdf5Handle.hpp"
 
+#include "lattice/Lattice.hpp"
+
 #include <complex>
+#include <vector>
 
 namespace isph::layout
 {
@@ -34,6 +37,15 @@ inline Hdf5Handle complexType()
     H5Tinsert(type, "r", 0, H5T_IEEE_F64LE);
     H5Tinsert(type, "i", sizeof(double), H5T_IEEE_F64LE);
     return type;
+}
+
+/// [nz][ny][nx], and [3] for a vector.
+inline std::vector<hsize_t> extentsOf(const Lattice& lattice, bool vector)
+{
+    std::vector<hsize_t> extents;
+    for (const int direction : {2, 1, 0}) { extents.push_back(static_cast<hsize_t>(lattice.axis(direction).count)); }
+    if (vector) { extents.push_back(3); }
+    return extents;
 }
 
 } // namespace isph::layout

@@ -56,7 +56,7 @@ void verifySeal(const std::filesystem::path& file, const Origin& origin)
                     "files of fields are written by the solver, by mapFields and by fcExtend");
     }
 
-    std::vector<char> piece(std::size_t{1} << 20);
+    std::vector<char> piece(std::size_t{1} << 16);
     std::uint64_t bytes = 0;
     std::uint32_t checksum = 0;
     while (in)
