@@ -41,7 +41,7 @@ void printHeader(const CommandLine& line, Log& log)
 {
     std::error_code ignored; // a case that is not there is reported by whoever reads it
     const std::filesystem::path directory =
-        std::filesystem::weakly_canonical(std::filesystem::absolute(line.caseDirectory()), ignored);
+        std::filesystem::weakly_canonical(std::filesystem::absolute(line.caseDirectory(), ignored), ignored);
 
     log.line("/*---------------------------------------------------------------------------*\\");
     log.line(fmt::format("| Continua {:<67}|", version));
