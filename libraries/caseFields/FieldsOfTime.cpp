@@ -1,5 +1,7 @@
 #include "caseFields/FieldsOfTime.hpp"
 
+#include "case/TimeDirectories.hpp"
+#include "case/TimeState.hpp"
 #include "caseFields/fluidConstants.hpp"
 #include "caseFields/unitOf.hpp"
 #include "core/Error.hpp"
@@ -10,9 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
+#include <optional>
 
 namespace isph
 {
@@ -155,6 +157,12 @@ FieldsOfTime::FieldsOfTime(const Case& theCase, std::string time) : case_(theCas
 
 FieldsOfTime::~FieldsOfTime() = default;
 
+double FieldsOfTime::time() const
+{
+    const std::optional<TimeState> state = readTimeState(case_.directory(), time_);
+    return state ? state->time : timeOfName(time_).value_or(0);
+}
+
 bool FieldsOfTime::hasDictionary(const std::string& name) const { return case_.has(shownAs(name)); }
 
 FieldsOfTime::Store& FieldsOfTime::store(const std::string& file)
@@ -234,7 +242,7 @@ RealField FieldsOfTime::read(const std::string& name, const Lattice& lattice)
 
     const SpaceTimeFunction function =
         readFunction(field, "internalField", componentsOf(field), fluidConstants(case_), case_.directory());
-    return evaluated(field, function, lattice, std::strtod(time_.c_str(), nullptr));
+    return evaluated(field, function, lattice, time());
 }
 
 RealField readField(const Case& theCase, const std::string& time, const std::string& name, const Lattice& lattice)

@@ -30,6 +30,9 @@ public:
     FieldsOfTime(const FieldsOfTime&) = delete;
     FieldsOfTime& operator=(const FieldsOfTime&) = delete;
 
+    /// The exact time [s]: what uniform/time says, else what the name of the folder reads.
+    double time() const;
+
     /// One per dictionary, then those that only fields.h5 has, each group in alphabetical order.
     std::vector<std::string> names();
 
