@@ -1,0 +1,179 @@
+"""A run that was stopped, by whatever, goes on in the same bits; no false folder is ever left behind."""
+import os
+import random
+import resource
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+
+from cases import Case, CaseTest, program, wait_for
+
+LONG = dict(points=48, endTime=0.5, deltaT="0.002", writeInterval="5")
+
+
+class Restart(CaseTest):
+    def test_in_one_go_and_in_two(self):
+        for schemes, deltaT in (("", "0.005"), ("viscous explicit; convection rotational;", "0.005"), ("", "auto")):
+            with self.subTest(schemes=schemes, deltaT=deltaT):
+                settings = dict(schemes=schemes, deltaT=deltaT, writeControl="runTime", writeInterval="0.1",
+                                control="timePrecision 12;")
+                whole = self.ready_case(**settings)
+                self.succeeds(whole, "isphFoam")
+                parts = self.ready_case(**settings)
+                parts.replace("system/controlDict", "endTime 0.2;", f"endTime {whole.times()[1]};")
+                self.succeeds(parts, "isphFoam")
+                self.assertEqual(len(parts.times()), 2)
+                parts.set("system/controlDict", "endTime", "0.2")
+                self.succeeds(parts, "isphFoam")
+                self.assertEqual(parts.times()[-1], whole.times()[-1])
+                self.same_state(parts, parts.times()[-1], whole, whole.times()[-1])
+
+    def test_appends_under_its_own_start_time(self):
+        case = self.ready_case(endTime=0.1)
+        self.succeeds(case, "isphFoam")
+        case.set("system/controlDict", "endTime", "0.2")
+        self.succeeds(case, "isphFoam")
+        self.assertEqual(sorted(os.listdir(case.path("postProcessing/errors")), key=float), ["0", "0.1"])
+        self.assertEqual(float(case.table("errors", "0")[-1]["time"]), 0.1)
+        self.assertEqual(float(case.table("errors", "0.1")[-1]["time"]), 0.2)
+
+    def test_start_again_from_zero(self):
+        case = self.ready_case()
+        self.succeeds(case, "isphFoam")
+        before = case.values("0.2")
+        case.set("system/controlDict", "startFrom", "startTime")
+        self.succeeds(case, "isphFoam")
+        self.assertEqual(case.values("0.2"), before)
+
+    def test_folder_0_is_not_touched(self):
+        case = self.ready_case()
+        before = case.text("0/U"), case.text("0/p"), sorted(os.listdir(case.path("0")))
+        self.succeeds(case, "isphFoam")
+        self.assertEqual((case.text("0/U"), case.text("0/p"), sorted(os.listdir(case.path("0")))), before)
+
+
+class Stopped(CaseTest):
+    def setUp(self):
+        self.whole = self.ready_case(**LONG)
+        self.succeeds(self.whole, "isphFoam")
+
+    def goes_on_in_the_same_bits(self, case):
+        for name in case.times()[1:]:
+            self.assertTrue(os.path.exists(case.path(name, "uniform", "time")), f"{name} is not whole")
+        self.succeeds(case, "isphFoam")
+        self.same_state(case, case.times()[-1], self.whole, self.whole.times()[-1])
+
+    def test_by_a_signal(self):
+        for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+            with self.subTest(number):
+                case = self.ready_case(**LONG)
+                process = case.start("isphFoam")
+                self.assertTrue(wait_for(lambda: len(case.times()) > 3))
+                process.send_signal(number)
+                process.communicate(timeout=60)
+                if process.returncode == 0:
+                    self.skipTest("the run was over before the signal came")
+                self.assertEqual(process.returncode, code)
+                self.assertEqual(case.report()["endedBecause"], "signal")
+                self.goes_on_in_the_same_bits(case)
+
+    def test_by_kill_at_any_moment(self):
+        draw = random.Random(20)
+        case = self.ready_case(**LONG)
+        kills = 0
+        for _ in range(12):
+            process = case.start("isphFoam")
+            time.sleep(draw.uniform(0.01, 0.3))
+            process.kill()
+            process.communicate()
+            if process.returncode == 0:
+                break
+            kills += 1
+            for name in case.times()[1:]:
+                self.assertIn(name, self.whole.times())
+                self.assertEqual(case.values(name), self.whole.values(name), f"folder {name} after kill {kills}")
+        self.assertGreaterEqual(kills, 1)
+        self.goes_on_in_the_same_bits(case)
+
+    def test_by_a_full_disk(self):
+        # A limit on the size of files acts like a disk that fills up, at ever later places of the output.
+        size = os.path.getsize(self.whole.path(self.whole.times()[-1], "fields.h5"))
+        for limit in (size // 3, size - 100):
+            with self.subTest(limit=limit):
+                case = self.copy_of(self.whole)
+                older = {name: case.values(name) for name in case.times()[1:]}
+                case.set("system/controlDict", "endTime", "0.6")
+
+                def full():
+                    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+                    resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+
+                result = case.run("isphFoam", preexec=full)
+                self.assertEqual(result.returncode, 1, result.stderr)
+                self.assertIn("fields.h5", result.stderr)
+                self.assertEqual({name: case.values(name) for name in case.times()[1:]}, older)
+                for name in os.listdir(case.dir):
+                    self.assertFalse(name.startswith("0.51"), f"{name} was left behind")
+                self.succeeds(case, "isphFoam")
+
+
+class Control(CaseTest):
+    def test_a_second_solver_is_refused(self):
+        case = self.ready_case(points=64, endTime=1000, writeInterval="100000")
+        first = case.start("isphFoam")
+        self.addCleanup(first.communicate)
+        self.addCleanup(first.kill)
+        self.assertTrue(wait_for(lambda: os.path.exists(case.path("postProcessing"))))
+        second = case.run("isphFoam", timeout=30)
+        self.assertEqual(second.returncode, 1)
+        self.assertRegex(second.stderr, "(?i)being solved|running|lock")
+        first.send_signal(signal.SIGTERM)
+        first.communicate(timeout=60)
+        self.assertEqual(first.returncode, 143)
+        case.set("system/controlDict", "endTime", str(float(case.times()[-1]) + 0.01))
+        self.succeeds(case, "isphFoam")
+
+    def test_purgeWrite(self):
+        case = self.ready_case(control="purgeWrite 2;", writeInterval="5")
+        self.succeeds(case, "isphFoam")
+        self.assertEqual(case.times(), ["0", "0.175", "0.2"])
+
+    def test_stopAt_writeNow_while_running(self):
+        case = self.ready_case(points=64, endTime=1000, writeInterval="100000", control="runTimeModifiable yes;")
+        process = case.start("isphFoam")
+        self.addCleanup(process.kill)
+        self.assertTrue(wait_for(lambda: os.path.exists(case.path("postProcessing/errors/0"))))
+        time.sleep(1.1)  # file times of some systems count whole seconds
+        case.set("system/controlDict", "stopAt", "writeNow")
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 0)
+        self.assertEqual(case.report()["endedBecause"], "stopAt")
+        self.assertEqual(len(case.times()), 2)
+
+    def test_the_last_step_ends_at_endTime(self):
+        case = self.ready_case(deltaT="0.03", control="adjustTimeStep no;")
+        self.succeeds(case, "isphFoam")
+        self.assertEqual(case.times()[-1], "0.2")
+        self.assertEqual(case.report()["time"], 0.2)
+
+    def test_postProcess_on_written_times(self):
+        case = self.ready_case()
+        self.succeeds(case, "isphFoam")
+        during = {row["time"]: row for row in case.table("errors")}
+        shutil.rmtree(case.path("postProcessing"))
+        self.succeeds(case, "isphFoam", "-postProcess")
+        after = case.table("errors")
+        self.assertEqual([row["time"] for row in after], ["0", "0.05", "0.1", "0.15", "0.2"])
+        for row in after:
+            self.assertAlmostEqual(float(row["relL2(U)"]), float(during[row["time"]]["relL2(U)"]), delta=1e-14)
+
+    def test_noFunctionObjects(self):
+        case = self.ready_case()
+        self.succeeds(case, "isphFoam", "-noFunctionObjects")
+        self.assertFalse(os.path.exists(case.path("postProcessing/errors")))
+
+
+if __name__ == "__main__":
+    unittest.main()
