@@ -16,7 +16,13 @@ namespace isph
 /// A piece of an entry's value, after macros and #eval were expanded.
 struct Token
 {
-    enum class Kind { word, string, number, bracket }; ///< bracket: one of ( ) [ ]
+    enum class Kind
+    {
+        word,
+        string,
+        number,
+        bracket
+    }; ///< bracket: one of ( ) [ ]
 
     Kind kind;
     std::string text;  ///< as written; a string without its quotes
@@ -76,7 +82,7 @@ public:
     /// \throws Error(input) if the file is missing, unreadable, or breaks the grammar.
     static Dictionary read(const std::filesystem::path& file, const std::string& shownAs = "");
 
-    /// Parses text; #include is relative to folder.
+    /// Parses text; #include is relative to folder. An empty folder: the text stands alone, including is an error.
     static Dictionary parse(std::string_view text, const std::string& shownAs,
                             const std::filesystem::path& folder = ".");
 
@@ -85,8 +91,12 @@ public:
 
     /// Entry of a key: an exact keyword first, else the last pattern that matches it; null if there is none.
     const Entry* find(std::string_view key) const;
+    Entry* find(std::string_view key);
     bool has(std::string_view key) const { return find(key) != nullptr; }
     bool hasDictionary(std::string_view key) const;
+
+    /// Entry of a scoped key, "kernel.order" or "kernel/order"; keywords may hold dots themselves. Null: there is none.
+    const Entry* findScoped(std::string_view key) const;
     const std::vector<Entry>& entries() const { return entries_; }
 
     double number(std::string_view key) const;
@@ -107,6 +117,9 @@ public:
     /// The seven exponents of an entry like "dimensions [0 1 -1 0 0 0 0];".
     std::array<int, 7> dimensions(std::string_view key) const;
 
+    /// The scoped name that a key of this dictionary has in messages: "kernel.order".
+    std::string scopedName(std::string_view key) const;
+
     /// The error for an entry, at its line, for readers that find a value impossible.
     Error error(std::string_view key, std::string what, std::string advice = "") const;
 
@@ -115,14 +128,23 @@ public:
 
     /// Adds an entry, or replaces one with the same keyword; two dictionaries merge.
     void set(Entry entry);
-    void remove(std::string_view keyword);
+    void remove(std::string_view keyword); ///< of exactly this spelling; nothing happens if there is none
 
     friend class Parser;
 
 private:
+    const Entry& required(std::string_view key, std::string_view shape) const;
+    Error mismatch(const Entry& entry, const std::string& shape) const;
+
     Origin origin_;
     std::vector<Entry> entries_;
     std::vector<std::pair<std::string, double>> inherited_; ///< scalar entries of the parents, inner ones last
 };
+
+/// The value of an entry as a user would write it, shortened for messages.
+std::string shownValue(const Entry& entry);
+
+/// The value of an entry that holds one number, perhaps behind dimensions; nothing for any other.
+std::optional<double> scalarValue(const Entry& entry);
 
 } // namespace isph

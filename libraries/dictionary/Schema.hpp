@@ -15,17 +15,17 @@ struct Key
 {
     enum class Type
     {
-        number,     ///< a finite number
-        integer,    ///< a whole number
-        flag,       ///< yes/no, on/off, true/false
-        word,       ///< one of `words` if those are given
-        text,       ///< a word or a quoted string
-        vector,     ///< ( 1 2 3 )
-        list,       ///< ( ... )
-        dimensioned,///< a number, perhaps behind dimensions
-        function,   ///< uniform ... | expression ... | table ... (SpaceTimeFunction)
-        dictionary, ///< a sub-dictionary with `keys`
-        any,        ///< checked by its reader
+        number,      ///< a finite number
+        integer,     ///< a whole number
+        flag,        ///< yes/no, on/off, true/false
+        word,        ///< one of `words` if those are given
+        text,        ///< a word or a quoted string
+        vector,      ///< ( 1 2 3 )
+        list,        ///< ( ... )
+        dimensioned, ///< a number, perhaps behind dimensions
+        function,    ///< uniform ... | expression ... | table ... (SpaceTimeFunction)
+        dictionary,  ///< a sub-dictionary with `keys`
+        any,         ///< checked by its reader
     };
 
     std::string name; ///< "*" stands for any name (patches, functions, lines)

@@ -29,7 +29,7 @@ public:
     SpaceTimeFunction& operator=(SpaceTimeFunction&&) noexcept;
 
     int components() const;
-    bool isUniform() const;     ///< the same at every point and time
+    bool isUniform() const; ///< the same at every point and time
     bool dependsOnTime() const;
 
     double operator()(int component, double x, double y, double z, double t) const;
