@@ -1,12 +1,10 @@
 #include "vtkOutput/writeVti.hpp"
 
-#include "core/Error.hpp"
+#include "core/FileDescriptor.hpp"
 
 #include <cassert>
-#include <fmt/format.h>
+#include <cerrno>
 #include <system_error>
-#include <type_traits>
-#include <unistd.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
@@ -111,6 +109,13 @@ void addTime(double time, vtkImageData& image)
     image.GetFieldData()->AddArray(array);
 }
 
+/// What the machine said; VTK's own codes are few here.
+int reasonOf(unsigned long code)
+{
+    if (code == vtkErrorCode::OutOfDiskSpaceError) { return ENOSPC; }
+    return code != vtkErrorCode::NoError && code < vtkErrorCode::FirstVTKErrorCode ? static_cast<int>(code) : EIO;
+}
+
 } // namespace
 
 void writeVti(const std::filesystem::path& file, const Lattice& lattice, double time,
@@ -126,7 +131,7 @@ void writeVti(const std::filesystem::path& file, const Lattice& lattice, double 
 
     // VTK would print what we throw.
     vtkObject::GlobalWarningDisplayOff();
-    const std::filesystem::path temporary = file.string() + fmt::format(".writing{}", getpid());
+    const std::filesystem::path temporary = temporaryName(file);
     vtkNew<vtkXMLImageDataWriter> writer;
     writer->SetFileName(temporary.c_str());
     writer->SetInputData(image);
@@ -135,17 +140,18 @@ void writeVti(const std::filesystem::path& file, const Lattice& lattice, double 
     writer->SetHeaderTypeToUInt64();
     if (format.compressed) { writer->SetCompressorTypeToZLib(); }
     else { writer->SetCompressorTypeToNone(); }
-    const bool written = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
-
-    std::error_code failure;
-    if (written) { std::filesystem::rename(temporary, file, failure); }
-    if (!written || failure)
+    try
     {
-        const std::string reason =
-            written ? failure.message() : vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode());
+        const bool written = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
+        if (!written) { throwRefused(file, "could not be written", reasonOf(writer->GetErrorCode())); }
+        syncToDisk(temporary);
+        std::filesystem::rename(temporary, file);
+    }
+    catch (...)
+    {
         std::error_code ignored;
         std::filesystem::remove(temporary, ignored);
-        throw Error(Fault::input, {file.string(), 0, ""}, "cannot be written: " + reason);
+        throw;
     }
 }
 

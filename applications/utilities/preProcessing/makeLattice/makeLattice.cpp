@@ -5,10 +5,10 @@
 
 #include "case/Case.hpp"
 #include "core/runApplication.hpp"
+#include "core/writeTextFile.hpp"
 #include "lattice/fastCounts.hpp"
 #include "lattice/memoryEstimate.hpp"
 #include "lattice/readLattice.hpp"
-#include "lattice/writeLattice.hpp"
 
 #include <fmt/format.h>
 #include <string>
@@ -64,7 +64,7 @@ static void run(const CommandLine& line, Log& log)
     const double memory = solverMemory(lattice);
     requireMemory(memory, machineMemory(), latticeDict.origin());
 
-    writeLattice(lattice, theCase.path("constant/lattice"));
+    writeTextFile(theCase.path("constant/lattice"), latticeText(lattice));
     report(lattice, memory, log);
     log.line("Wrote constant/lattice");
 }
