@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/FileDescriptor.hpp"
+
 #include <filesystem>
 #include <initializer_list>
 #include <span>
@@ -23,24 +25,20 @@ public:
     /// Makes the file, and the folders it is in; a file of an earlier run is replaced.
     /// \throws Error(input) naming the file and the machine's reason.
     CsvWriter(std::filesystem::path file, const std::vector<CsvColumn>& columns);
-    ~CsvWriter();
-    CsvWriter(CsvWriter&& other) noexcept;
-    CsvWriter& operator=(CsvWriter&&) = delete;
 
     /// Adds a row with one value a column (step numbers are written as whole numbers).
     /// \throws Error(input) if it cannot be written (disk full); the file then ends with the row before.
     void row(std::span<const double> values);
     void row(std::initializer_list<double> values) { row(std::span(values.begin(), values.size())); }
 
-    const std::filesystem::path& file() const { return file_; }
+    const std::filesystem::path& file() const { return file_.file(); }
 
 private:
     void append(const std::string& line);
 
-    std::filesystem::path file_;
+    FileDescriptor file_;
     std::size_t columns_;
-    int descriptor_ = -1;
-    long size_ = 0;
+    long size_ = 0; ///< of the complete rows, in bytes
 };
 
 /// <case>/postProcessing/<name>/<startTime>/<file>: where a function writes (contract, section 1).

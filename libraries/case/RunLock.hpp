@@ -1,12 +1,15 @@
 #pragma once
 
+#include "core/FileDescriptor.hpp"
+
 #include <filesystem>
+#include <optional>
 
 namespace isph
 {
 
 /// Keeps a second solver off a case for as long as it lives. The machine lets go of it when the process ends, however
-/// it ends, so that there are no stale locks.
+/// it ends, so that there are no stale locks. (On a file system that knows no locks nothing is guarded.)
 class RunLock
 {
 public:
@@ -17,8 +20,7 @@ public:
     RunLock& operator=(const RunLock&) = delete;
 
 private:
-    std::filesystem::path file_;
-    int descriptor_ = -1;
+    std::optional<FileDescriptor> file_;
 };
 
 } // namespace isph

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "case/OutputControl.hpp"
-#include "case/TimeDirectories.hpp"
+#include "case/timeName.hpp"
 #include "case/TimeState.hpp"
 
 #include <chrono>
@@ -79,6 +79,7 @@ std::string_view toString(Ending ending);
 ///         const double dt = control.timeStep(limits);
 ///         ... advance the flow by dt ...
 ///         control.advance();
+///         watch.refresh(control, log);               // runTimeModifiable
 ///         control.noteAcceleration(largestChange);   // only for steadyTolerance
 ///         ... functions: if (output.due(control.event())) ...
 ///         if (control.writesNow()) { ... }
@@ -102,6 +103,7 @@ public:
     bool running();
 
     /// Length of the next step [s]. The same whenever it is asked again with the same limits.
+    /// \throws Error(diverged) if the limits leave no step that would ever reach the end.
     double timeStep(const StepLimits& limits);
 
     /// The step of the last timeStep() was taken: moves time and index, decides on output and on the end.
@@ -139,7 +141,8 @@ public:
 private:
     double nominalStep(const StepLimits& limits) const;
     double until(double time) const; ///< seconds left to a time, carry included
-    void endIfDue();
+    double slack(double step) const; ///< what counts as round-off beside a step [s]
+    bool atEnd() const;
 
     TimeSettings settings_;
     TimeState state_;
@@ -151,7 +154,6 @@ private:
     std::optional<double> arrival_; ///< the time that the next step ends at exactly
     bool outputDue_ = false;
     std::optional<Ending> ending_;
-    double startCpu_;
     std::chrono::steady_clock::time_point startClock_ = std::chrono::steady_clock::now();
 };
 

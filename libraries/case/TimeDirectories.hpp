@@ -1,10 +1,8 @@
 #pragma once
 
 #include "core/CommandLine.hpp"
-#include "core/Selection.hpp"
 
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,8 +24,8 @@ struct TimeDirectory
 /// The time a folder name stands for; nothing if it is not a number ("0.orig", "constant", ".0.25.tmp-4711").
 std::optional<double> timeOfName(std::string_view name);
 
-/// Whether a name, rounded as it is, stands for a time: they differ by no more than a unit of the last digit of the
-/// name, or a millionth if the name has fewer digits than that.
+/// Whether a name, rounded as it is, stands for a time: they differ by no more than a unit of the name's last digit,
+/// and by no more than 1e-5 of it.
 bool standsFor(std::string_view name, double time);
 
 /// The time folders of a case, earliest first.
@@ -44,39 +42,25 @@ public:
     explicit TimeRanges(const std::string& text);
 
     /// The times that the ranges hold; a single value picks the folder that stands for it.
-    /// \throws Error(input) if a single value or a range picks nothing.
+    /// \throws Error(input) if there is none for a single value.
     std::vector<TimeDirectory> select(std::span<const TimeDirectory> times) const;
 
 private:
     struct Range
     {
-        double from;
-        double to;
+        double from = 0;
+        double to = 0;
+        bool single = false;
         std::string text;
     };
     std::vector<Range> ranges_;
 };
 
-/// The times that -time, -latestTime and -noZero choose; all of them without an option. May be empty only if nothing
-/// was asked for by -time.
+/// The times that -time, -latestTime and -noZero choose; all of them without an option. May be empty.
 std::vector<TimeDirectory> selectTimes(std::span<const TimeDirectory> times, const CommandLine& line);
 
-/// How times are written as names.
-enum class TimeFormat
-{
-    general,
-    fixed,
-    scientific
-};
-const Selection<TimeFormat>& timeFormats();
-
-/// The name of a time, with as many digits beyond the precision as it takes to read back within a tenth of a step:
-/// no two steps of a run have the same name.
-/// \param step length of the step [s] that led there; 0: all digits that the precision does not show are round-off
-std::string timeName(double time, double step, TimeFormat format = TimeFormat::general, int precision = 6);
-
-/// timeName with still more digits where a folder of that name holds another time (its uniform/time says so).
-std::string unusedTimeName(const std::filesystem::path& caseDirectory, double time, double step, TimeFormat format,
-                           int precision);
+/// The same for the time folders of the case (-case).
+/// \throws Error(input) if there is no such folder: a program that works on times has nothing to do.
+std::vector<TimeDirectory> selectedTimes(const CommandLine& line);
 
 } // namespace isph

@@ -2,6 +2,7 @@
 
 #include "case/Case.hpp"
 #include "case/TimeControl.hpp"
+#include "case/TimeDirectories.hpp"
 #include "core/Log.hpp"
 #include "dictionary/Schema.hpp"
 
@@ -47,7 +48,7 @@ class ControlDictWatch
 public:
     explicit ControlDictWatch(const Case& flowCase);
 
-    /// To be called every step; costs a look at the file's date.
+    /// To be called after every advance(); costs a look at the file's date.
     void refresh(TimeControl& control, Log& log);
 
 private:
