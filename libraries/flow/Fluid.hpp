@@ -1,0 +1,30 @@
+#pragma once
+
+#include "fields/Field.hpp"
+
+#include <memory>
+
+namespace isph
+{
+
+/// A force per unit mass on the fluid, at the points of the lattice.
+class BodyForce
+{
+public:
+    virtual ~BodyForce() = default;
+
+    /// Fills the components along the active axes [m/s2] at time t.
+    virtual void evaluate(double t, RealField& force) const = 0;
+
+    virtual bool dependsOnTime() const = 0;
+};
+
+/// What flows.
+struct Fluid
+{
+    double nu = 0;  ///< kinematic viscosity [m2/s]; 0: inviscid
+    double rho = 1; ///< density [kg/m3], for pressures in Pa
+    std::unique_ptr<const BodyForce> bodyForce = nullptr;
+};
+
+} // namespace isph

@@ -1,0 +1,247 @@
+#include "flow/PhysicalFlow.hpp"
+
+#include "core/Error.hpp"
+#include "flow/convectiveRates.hpp"
+#include "flow/startVelocity.hpp"
+#include "operators/DirectSumOperators.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace isph
+{
+
+namespace
+{
+
+/// a += factor b, every component.
+void add(RealField& a, double factor, const RealField& b)
+{
+    for (int c = 0; c < a.components(); ++c)
+    {
+        std::ranges::transform(a[c], b[c], a[c].begin(), [factor](double x, double y) { return x + factor * y; });
+    }
+}
+
+void copy(const RealField& from, RealField& to)
+{
+    for (int c = 0; c < from.components(); ++c) { std::ranges::copy(from[c], to[c].begin()); }
+}
+
+void requireSampled(const FlowSettings& settings)
+{
+    const auto refuse = [](const std::string& what, const std::string& advice)
+    { throw Error(Fault::input, "operators directSum: " + what, advice); };
+    if (settings.kernel.symbol != KernelSettings::Symbol::sampled)
+    {
+        refuse("a sum over neighbours needs a sampled kernel", "write symbol sampled; in kernel, or operators spectral;");
+    }
+    if (settings.laplacian == LaplacianForm::exact)
+    {
+        refuse("the exact Laplacian has no neighbours", "choose laplacian morris; or secondDerivative;");
+    }
+    if (settings.integratingFactor) { refuse("the viscous term is explicit", "write viscous explicit;"); }
+    if (settings.exactMeanFlow) { refuse("the mean flow is not carried exactly", "write meanFlow none;"); }
+    if (settings.dealiasing != Dealiasing::none || settings.filter.type != FilterSettings::Type::none)
+    {
+        refuse("dealiasing and filter act on modes", "write dealiasing none; filter { type none; }");
+    }
+}
+
+} // namespace
+
+PhysicalFlow::PhysicalFlow(const Lattice& lattice, Fluid fluid, FlowSettings settings, Timings& timings)
+    : lattice_(lattice), fluid_(std::move(fluid)), settings_((requireSampled(settings), std::move(settings))), timings_(timings),
+      derivative_(
+          [&]
+          {
+              const KernelSamples samples(lattice, settings_.kernel, LaplacianForm::exact);
+              return DerivativeSymbol(lattice, settings_.kernel, &samples);
+          }())
+{
+    const int dimensions = lattice.dimensions();
+    const std::size_t points = lattice.points();
+    const bool viscous = fluid_.nu > 0;
+    KernelSamples samples(lattice, settings_.kernel, viscous ? settings_.laplacian : LaplacianForm::exact);
+    AlignedVector<double> laplacian;
+    if (viscous) { laplacian = laplacianSymbol(lattice, settings_.kernel, settings_.laplacian, &samples); }
+    bounds_ = operatorBounds(derivative_, laplacian, RetainedModes(lattice, Dealiasing::none));
+
+    AlignedVector<double> morris;
+    if (settings_.eigenvalues == Eigenvalues::morris)
+    {
+        const KernelSamples morrisSamples(lattice, settings_.kernel, LaplacianForm::morris);
+        morris = laplacianSymbol(lattice, settings_.kernel, LaplacianForm::morris, &morrisSamples);
+    }
+    poisson_.emplace(lattice, invertedEigenvalues(derivative_.rows(), poissonEigenvalues(lattice, settings_.eigenvalues,
+                                                                                          derivative_, morris)));
+    operators_ = std::make_unique<DirectSumOperators>(lattice, std::move(samples));
+
+    velocity_ = RealField(dimensions, points);
+    before_ = RealField(dimensions, points);
+    rate_ = RealField(dimensions, points);
+    previousRate_ = RealField(dimensions, points);
+    gradient_ = RealField(dimensions, points);
+    products_ = RealField(1, points);
+    if (viscous) { laplacian_ = RealField(dimensions, points); }
+    if (fluid_.bodyForce) { force_ = RealField(dimensions, points); }
+    source_ = RealField(1, points);
+    phi_ = RealField(1, points);
+    if (settings_.incremental)
+    {
+        incrementalPressure_ = RealField(1, points);
+        pressureBefore_ = RealField(1, points);
+    }
+}
+
+StartReport PhysicalFlow::start(const RealField& velocity, bool project)
+{
+    SpectralField modes(lattice_.dimensions(), derivative_.rows().modes());
+    const StartReport report = startVelocity(lattice_, derivative_, RetainedModes(lattice_, Dealiasing::none), velocity,
+                                             project, modes);
+    FourierTransform(lattice_, lattice_.dimensions()).backward(modes, velocity_);
+    return report;
+}
+
+void PhysicalFlow::save(FieldWriter& writer) const
+{
+    writer.writeState("U", velocity_);
+    if (settings_.incremental) { writer.writeState("p", incrementalPressure_); }
+}
+
+void PhysicalFlow::restore(const FieldReader& reader)
+{
+    reader.readState("U", velocity_);
+    if (settings_.incremental && reader.hasState("p")) { reader.readState("p", incrementalPressure_); }
+}
+
+void PhysicalFlow::stepBack()
+{
+    std::swap(velocity_, before_);
+    std::swap(incrementalPressure_, pressureBefore_);
+}
+
+StepRates PhysicalFlow::rates()
+{
+    const auto scope = timings_.scope(Phase::pointwise);
+    StepRates rates;
+    if (fluid_.nu > 0) { rates.viscous = fluid_.nu * bounds_.laplacian; }
+    addConvectiveRates(lattice_, velocity_, bounds_, fluid_.nu, rates);
+    if (settings_.convection == ConvectionForm::none) { rates.convective = rates.unbalancedConvection = 0; }
+    return rates;
+}
+
+void PhysicalFlow::addConvection()
+{
+    const int dimensions = lattice_.dimensions();
+    const auto product = products_[0];
+    // The divergence form and the advective one; skew-symmetric is their mean, rotational the advective one less
+    // u_j D_c u_j.
+    const double divergenceShare = settings_.convection == ConvectionForm::divergence      ? 1
+                                   : settings_.convection == ConvectionForm::skewSymmetric ? 0.5
+                                                                                           : 0;
+    for (int c = 0; c < dimensions; ++c)
+    {
+        if (divergenceShare > 0)
+        {
+            for (int j = 0; j < dimensions; ++j)
+            {
+                std::ranges::transform(velocity_[c], velocity_[j], product.begin(), std::multiplies{});
+                operators_->gradient(products_, 0, gradient_);
+                std::ranges::transform(rate_[c], gradient_[j], rate_[c].begin(),
+                                       [divergenceShare](double rate, double slope)
+                                       { return rate - divergenceShare * slope; });
+            }
+        }
+        if (divergenceShare < 1)
+        {
+            operators_->gradient(velocity_, c, gradient_);
+            for (int j = 0; j < dimensions; ++j)
+            {
+                const auto carrier = velocity_[j];
+                const auto slope = gradient_[j];
+                const auto rate = rate_[c];
+                for (std::size_t i = 0; i < rate.size(); ++i)
+                {
+                    rate[i] -= (1 - divergenceShare) * carrier[i] * slope[i];
+                }
+                if (settings_.convection != ConvectionForm::rotational) { continue; }
+                const auto along = rate_[j];
+                const auto u = velocity_[c];
+                for (std::size_t i = 0; i < along.size(); ++i) { along[i] += u[i] * slope[i]; }
+            }
+        }
+    }
+}
+
+void PhysicalFlow::evaluateRate(double t)
+{
+    for (int c = 0; c < rate_.components(); ++c) { std::ranges::fill(rate_[c], 0.0); }
+    if (settings_.convection != ConvectionForm::none) { addConvection(); }
+    if (fluid_.nu > 0)
+    {
+        operators_->laplacian(velocity_, laplacian_);
+        add(rate_, fluid_.nu, laplacian_);
+    }
+    if (fluid_.bodyForce)
+    {
+        fluid_.bodyForce->evaluate(t, force_);
+        add(rate_, 1, force_);
+    }
+}
+
+void PhysicalFlow::advance(const Substep& substep, double t, double dt)
+{
+    const double period = substep.a * dt;
+    {
+        const auto scope = timings_.scope(Phase::pointwise);
+        if (substep.first)
+        {
+            copy(velocity_, before_);
+            if (settings_.incremental) { copy(incrementalPressure_, pressureBefore_); }
+        }
+        evaluateRate(t + substep.start * dt);
+        add(velocity_, dt * substep.g, rate_);
+        if (!substep.first) { add(velocity_, dt * substep.z, previousRate_); }
+        std::swap(rate_, previousRate_);
+        if (settings_.incremental)
+        {
+            operators_->gradient(incrementalPressure_, 0, gradient_);
+            add(velocity_, -period, gradient_);
+        }
+        operators_->divergence(velocity_, source_);
+        for (double& value : source_[0]) { value /= period; }
+    }
+    {
+        const auto scope = timings_.scope(Phase::poisson);
+        poisson_->solve(source_, phi_);
+        transforms_ += 2;
+    }
+    const auto scope = timings_.scope(Phase::pointwise);
+    operators_->gradient(phi_, 0, gradient_);
+    add(velocity_, -period, gradient_);
+    if (settings_.incremental) { add(incrementalPressure_, 1, phi_); }
+}
+
+const RealField& PhysicalFlow::pressure(double t)
+{
+    if (!outputPressure_)
+    {
+        outputPressure_.emplace(lattice_);
+        pressure_ = RealField(1, lattice_.points());
+    }
+    if (fluid_.bodyForce) { fluid_.bodyForce->evaluate(t, force_); }
+    const RealField still = settings_.convection == ConvectionForm::none
+                                ? RealField(lattice_.dimensions(), lattice_.points())
+                                : RealField();
+    outputPressure_->evaluate(still.size() > 0 ? still : velocity_, fluid_.bodyForce ? &force_ : nullptr, pressure_);
+    return pressure_;
+}
+
+const RealField& PhysicalFlow::divergence()
+{
+    operators_->divergence(velocity_, source_);
+    return source_;
+}
+
+} // namespace isph

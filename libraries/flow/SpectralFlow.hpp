@@ -1,0 +1,99 @@
+#pragma once
+
+#include "core/Timings.hpp"
+#include "flow/FlowSettings.hpp"
+#include "flow/Fluid.hpp"
+#include "flow/IncompressibleFlow.hpp"
+#include "flow/OutputPressure.hpp"
+#include "flow/ViscousFactors.hpp"
+#include "operators/DerivativeSymbol.hpp"
+
+#include <optional>
+
+namespace isph
+{
+
+/// Pseudo-spectral ISPH in a periodic box (Fourtakas et al. 2021): the velocity lives in Fourier space, where kernels,
+/// viscosity, projection and filter are diagonal; only the products of the convective term are formed at the points.
+///
+/// Everything after the products' transform is one pass over the modes, in stretches that stay in the first-level cache.
+class SpectralFlow : public IncompressibleFlow
+{
+public:
+    SpectralFlow(const Lattice& lattice, Fluid fluid, FlowSettings settings, Timings& timings,
+                 PlanEffort effort = PlanEffort::measured);
+
+    StartReport start(const RealField& velocity, bool project) override;
+    void save(FieldWriter& writer) const override;
+    void restore(const FieldReader& reader) override;
+    void stepBack() override;
+    StepRates rates() override;
+    void advance(const Substep& substep, double t, double dt) override;
+    const RealField& velocity() override;
+    const RealField& pressure(double t) override;
+    const RealField& divergence() override;
+    long transforms() const override;
+    std::string planFingerprint() const override;
+
+    const OperatorBounds& bounds() const { return bounds_; }
+
+private:
+    using Complex = std::complex<double>;
+    using Direction = std::array<double, 3>;
+
+    /// Modes handled together: their buffers stay in the first-level cache.
+    static constexpr std::size_t stretch = 128;
+
+    void stateChanged();
+    void subtractMean();
+    void gatherInputs();
+    void ensureInputs();
+    void updateForce(double t);
+    bool keptRow(std::size_t row) const;
+    void clearRow(std::size_t row, std::size_t from, SpectralField& target);
+    void advanceStretch(std::size_t row, std::size_t begin, std::size_t end, const Substep& substep, double dt,
+                        const SpectralField& from, SpectralField& to);
+
+    Lattice lattice_;
+    Fluid fluid_;
+    FlowSettings settings_;
+    Timings& timings_;
+    DerivativeSymbol derivative_;
+    RetainedModes retained_;
+    AlignedVector<double> viscousSymbol_; ///< nu times minus the Laplacian; empty if inviscid
+    AlignedVector<double> inverse_;       ///< 1/eigenvalues of the pressure equation
+    bool projectAlongWavevector_;         ///< consistent and parallel: Leray's projector, no division by the kernel
+    OperatorBounds bounds_;
+    std::array<std::vector<double>, 3> filterFactors_;
+    std::unique_ptr<Convection> convection_;
+    std::optional<FourierTransform> inputTransform_;
+    std::optional<FourierTransform> productTransform_;
+    std::optional<FourierTransform> forceTransform_;
+    std::optional<ViscousFactors> viscousFactors_;
+    std::optional<MeanFlowFactors> meanFlowFactors_;
+
+    SpectralField state_;
+    SpectralField before_;   ///< the state before the last step
+    SpectralField rate_;     ///< carried from substep to substep
+    SpectralField inputModes_;
+    SpectralField productModes_;
+    SpectralField forceModes_;
+    SpectralField pressureModes_; ///< incremental coupling
+    SpectralField pressureBefore_;
+    RealField inputs_;
+    RealField products_;
+    RealField force_;
+    Direction mean_{0, 0, 0}; ///< carried exactly; zero where that is switched off
+
+    bool inputModesReady_ = false;
+    bool inputsReady_ = false;
+    bool forceReady_ = false;
+    RealField velocity_; ///< the following only when asked for
+    RealField pressure_;
+    RealField divergence_;
+    std::optional<OutputPressure> outputPressure_;
+    std::optional<FourierTransform> scalarTransform_;
+    std::optional<FourierTransform> velocityTransform_;
+};
+
+} // namespace isph

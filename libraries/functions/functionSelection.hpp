@@ -1,0 +1,70 @@
+#pragma once
+
+#include "case/Case.hpp"
+#include "core/Log.hpp"
+#include "core/Selection.hpp"
+#include "functions/FunctionObject.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace isph
+{
+
+/// What functions are made from, besides their dictionaries. Everything must outlive them.
+struct FunctionSurroundings
+{
+    const Case& theCase;
+    const Lattice& lattice;
+    const Fluid& fluid;
+    std::string startTime;  ///< name of the time the run starts from: the folder they write under
+    double pressureScale;   ///< what kinematic pressure is multiplied by for output: 1, or rho where 0/p is in Pa
+    std::string pressureUnit; ///< "m2/s2" or "Pa"
+    bool pressureFixed;     ///< somewhere on the boundary: then errors of p are taken as they are, else without means
+};
+
+/// One line for each type: what -listFunctions prints.
+std::vector<ListedWord> functionTypes();
+
+/// The functions of a controlDict with their output controls.
+class Functions
+{
+public:
+    Functions() = default;
+
+    /// \param functions sub-dictionary `functions` of controlDict
+    /// \throws Error(input) with every slip in it.
+    Functions(const Dictionary& functions, const FunctionSurroundings& surroundings);
+
+    /// Runs those that are due at this event.
+    void execute(const StepEvent& event, const FlowAtTime& now);
+
+    /// Runs all of them, whatever their output control says (-postProcess).
+    void executeAll(const FlowAtTime& now);
+
+    /// Earliest time a step has to end at for one of them (adjustableRunTime); infinity if there is none.
+    double nextTime() const;
+
+    bool empty() const { return functions_.empty(); }
+
+    /// Last error norms, for report.json: field name, name of the norm, value (errors.U.relL2).
+    struct Norm
+    {
+        std::string field;
+        std::string norm;
+        double value;
+    };
+    std::vector<Norm> errors() const;
+
+private:
+    struct Function
+    {
+        std::string name;
+        OutputControl control;
+        std::unique_ptr<FunctionObject> object;
+    };
+    std::vector<Function> functions_;
+};
+
+} // namespace isph
