@@ -43,10 +43,15 @@ std::string storeOf(const Dictionary& field)
     return entry->tokens()[1].text;
 }
 
+bool hasClass(const Dictionary& field)
+{
+    return field.hasDictionary("FoamFile") && field.dictionary("FoamFile").has("class");
+}
+
 /// 1 or 3, from the FoamFile class, else from the shape of "uniform (1 0 0)" or "expression ("a" "b" "c")".
 int componentsOf(const Dictionary& field)
 {
-    if (field.hasDictionary("FoamFile") && field.dictionary("FoamFile").has("class"))
+    if (hasClass(field))
     {
         const Word name = field.dictionary("FoamFile").word("class");
         if (name.text == "latticeScalarField") { return 1; }
@@ -219,14 +224,18 @@ RealField FieldsOfTime::readStored(const std::string& file, const std::string& n
 
 FieldHeader FieldsOfTime::header(const std::string& name)
 {
-    if (hasDictionary(name))
+    const auto storedComponents = [&](const std::string& file)
+    { return store(file).reader.read(name).components() == 1 ? 1 : 3; };
+
+    if (!hasDictionary(name))
     {
-        const Dictionary field = case_.dictionary(shownAs(name));
-        return {componentsOf(field), unitOf(field.dimensions("dimensions"))};
+        requireStored(name);
+        return {storedComponents(storeName), store(storeName).reader.unit(name)};
     }
-    requireStored(name);
-    const FieldReader& reader = store(storeName).reader;
-    return {reader.read(name).components() == 1 ? 1 : 3, reader.unit(name)};
+    const Dictionary field = case_.dictionary(shownAs(name));
+    const std::string file = storeOf(field);
+    return {file.empty() || hasClass(field) ? componentsOf(field) : storedComponents(file),
+            unitOf(field.dimensions("dimensions"))};
 }
 
 RealField FieldsOfTime::read(const std::string& name, const Lattice& lattice)

@@ -19,7 +19,7 @@ struct FieldHeader
 };
 
 /// The fields of one time folder, wherever their values come from: dictionaries (0/U) or fields.h5, which is opened
-/// once. The case must outlive it.
+/// once.
 class FieldsOfTime
 {
 public:
@@ -56,7 +56,7 @@ private:
     RealField readStored(const std::string& file, const std::string& name, const Lattice& lattice);
     void requireStored(const std::string& name);
 
-    const Case& case_;
+    const Case case_;
     std::string time_;
     std::unique_ptr<Store> store_;
 };
