@@ -4,11 +4,13 @@
 //     toVTK -case cavity -latestTime -derived     also vorticity, divergence, Q and, in two dimensions, streamFunction
 //     toVTK -case cavity -time 0.5:1 -fields '(U p)' -compress -float32
 
+#include "case/AtomicFolder.hpp"
 #include "case/Case.hpp"
 #include "case/TimeDirectories.hpp"
 #include "caseFields/FieldsOfTime.hpp"
 #include "caseFields/selectFields.hpp"
 #include "caseFields/VelocityDerivatives.hpp"
+#include "core/FileDescriptor.hpp"
 #include "core/runApplication.hpp"
 #include "lattice/readLattice.hpp"
 #include "vtkOutput/writePvd.hpp"
@@ -89,11 +91,12 @@ static void run(const CommandLine& line, Log& log)
         throw Error(Fault::input, "there is no time to convert", "run isphFoam, or leave out -noZero");
     }
 
-    std::filesystem::create_directories(theCase.path("VTK"));
+    removeLeftovers(theCase.path("VTK"));
     for (const TimeDirectory& time : times)
     {
         FieldsOfTime fields(theCase, time.name);
         const Image image = readImage(fields, selectFields(fields.names(), line), line.has("derived"), lattice);
+        makeFolder(theCase.path("VTK"));
         writeVti(theCase.path("VTK/" + imageName(theCase, time)), lattice, fields.time(), image.arrays, format);
         writeCollection(theCase);
         log.line(fmt::format("Time = {}: {} fields", time.name, image.arrays.size()));
