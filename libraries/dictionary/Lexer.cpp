@@ -56,6 +56,7 @@ Lexeme Lexer::next()
     Lexeme lexeme = peeked_ ? std::move(*peeked_) : read();
     peeked_.reset();
     line_ = lexeme.line;
+    end_ = lexeme.end;
     return lexeme;
 }
 
@@ -237,8 +238,8 @@ std::string Lexer::bracedText()
         if (c == '}') { --depth; }
         if (depth == 0)
         {
-            ++here_;
-            return std::string(text_.substr(begin, here_ - 1 - begin));
+            end_ = ++here_;
+            return std::string(text_.substr(begin, end_ - 1 - begin));
         }
     }
     fail(brace.line, "opens a '{' that is never closed");

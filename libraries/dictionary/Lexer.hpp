@@ -48,8 +48,9 @@ public:
     /// The raw text between a '{' that is next and its '}' (for #eval{ ... }).
     std::string bracedText();
 
-    /// Line of what was read last.
+    /// Line of what was read last, and the byte behind it.
     int line() const { return line_; }
+    std::size_t end() const { return end_; }
 
 private:
     char at(std::size_t position) const { return position < text_.size() ? text_[position] : '\0'; }
@@ -66,6 +67,7 @@ private:
     std::size_t here_ = 0;
     int lineHere_ = 1; ///< of the next character
     int line_ = 1;
+    std::size_t end_ = 0;
     std::optional<Lexeme> peeked_;
 };
 

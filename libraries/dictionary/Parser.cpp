@@ -1,11 +1,10 @@
 #include "dictionary/Parser.hpp"
 
 #include "dictionary/KeyPattern.hpp"
+#include "dictionary/readText.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <fmt/format.h>
-#include <fstream>
 #include <utility>
 
 namespace isph
@@ -15,7 +14,6 @@ namespace
 {
 
 // What no honest dictionary reaches: limits that keep hostile text from costing time, memory or stack.
-constexpr std::size_t largestText = 4'000'000;
 constexpr std::size_t mostEntries = 20'000;
 constexpr std::size_t mostPatterns = 100;
 constexpr std::size_t mostTokens = 2'000'000;
@@ -33,23 +31,6 @@ std::size_t depthOf(const Dictionary& dictionary)
 }
 
 } // namespace
-
-std::string readText(const std::filesystem::path& file, const Origin& origin)
-{
-    std::error_code problem;
-    const bool regular = std::filesystem::is_regular_file(file, problem);
-    if (problem || !regular)
-    {
-        throw Error(Fault::input, origin,
-                    fmt::format("cannot be read: {}", problem ? problem.message() : "it is not a file"));
-    }
-    std::ifstream stream(file, std::ios::binary);
-    std::string text;
-    text.resize(std::min<std::size_t>(largestText + 1, std::filesystem::file_size(file, problem)));
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (problem || !stream) { throw Error(Fault::input, origin, fmt::format("cannot be read: {}", strerror(errno))); }
-    return text;
-}
 
 Dictionary Dictionary::read(const std::filesystem::path& file, const std::string& shownAs)
 {

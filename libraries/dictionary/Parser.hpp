@@ -80,12 +80,4 @@ private:
     std::size_t included_ = 0;
 };
 
-/// Reads a whole file.
-/// \throws Error(input) at origin if it cannot be read or is larger than any dictionary.
-std::string readText(const std::filesystem::path& file, const Origin& origin);
-
-/// The file of the suite's etc/ with this name: in $CONTINUA_ETC, else beside the programs, else where the suite was
-/// built or installed. Empty if there is none.
-std::filesystem::path findEtcFile(const std::string& name);
-
 } // namespace isph

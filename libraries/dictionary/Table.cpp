@@ -1,7 +1,7 @@
 #include "dictionary/Table.hpp"
 
 #include "dictionary/Lexer.hpp"
-#include "dictionary/Parser.hpp"
+#include "dictionary/readText.hpp"
 
 #include <algorithm>
 #include <cassert>

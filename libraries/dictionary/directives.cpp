@@ -1,11 +1,10 @@
 #include "dictionary/Parser.hpp"
 
 #include "core/nearestWord.hpp"
-#include "core/version.hpp"
 #include "dictionary/KeyPattern.hpp"
+#include "dictionary/readText.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <fmt/format.h>
 
 namespace isph
@@ -32,26 +31,6 @@ bool sameFile(const fs::path& a, const fs::path& b)
 }
 
 } // namespace
-
-fs::path findEtcFile(const std::string& name)
-{
-    std::vector<fs::path> folders;
-    if (const char* variable = std::getenv("CONTINUA_ETC")) { folders.emplace_back(variable); }
-    std::error_code problem;
-    const fs::path programs = fs::read_symlink("/proc/self/exe", problem).parent_path();
-    if (!problem)
-    {
-        folders.push_back(programs / ".." / "etc");
-        folders.push_back(programs / ".." / ".." / "etc");
-        folders.push_back(programs / ".." / installedEtc);
-    }
-    folders.emplace_back(sourceEtc);
-    for (const fs::path& folder : folders)
-    {
-        if (isThere(folder / name)) { return folder / name; }
-    }
-    return {};
-}
 
 void Parser::executeDirective(const Lexeme& directive, Dictionary& target, std::vector<int>& conditions)
 {

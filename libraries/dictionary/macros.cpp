@@ -1,5 +1,6 @@
 #include "dictionary/Parser.hpp"
 
+#include "core/numberText.hpp"
 #include "expression/Expression.hpp"
 
 #include <algorithm>
@@ -156,7 +157,7 @@ std::string Parser::withMacros(std::string_view text, int line, bool numbers)
             {
                 fail(line, fmt::format("uses ${} in a formula, but that is not a number", macro.text));
             }
-            result += fmt::format("({})", tokens.back().number); // in parentheses: it may be negative
+            result += fmt::format("({})", numberText(tokens.back().number)); // in parentheses: it may be negative
         }
         else if (tokens.size() == 1) { result += tokens[0].text; }
         else { fail(line, fmt::format("uses ${} in a name, but that is not a single word", macro.text)); }
@@ -183,7 +184,7 @@ Token Parser::valueOfEval(int line)
         fail(line, fmt::format("has \"{}\" in an #eval, which knows no x, y, z, t and noise", formula.text()));
     }
     const double value = formula(0, 0, 0, 0);
-    return Token{Token::Kind::number, fmt::format("{}", value), value, line};
+    return Token{Token::Kind::number, numberText(value), value, line};
 }
 
 } // namespace isph

@@ -1,8 +1,8 @@
 #include "dictionary/writeDictionary.hpp"
 
+#include "core/numberText.hpp"
 #include "dictionary/Lexer.hpp"
 
-#include <cassert>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -137,12 +137,6 @@ std::string dictionaryText(const Dictionary& dictionary) { return entriesText(di
 std::string valueText(const Entry& entry)
 {
     return entry.isDictionary() ? blockText(entry.dictionary(), 0) : tokensText(entry, 0);
-}
-
-std::string numberText(double number)
-{
-    assert(std::isfinite(number));
-    return fmt::format("{}", number);
 }
 
 } // namespace isph

@@ -19,8 +19,4 @@ std::string dictionaryText(const Dictionary& dictionary);
 /// The value of an entry as text, "(1 0 0)" or "{ ... }", without its keyword and semicolon.
 std::string valueText(const Entry& entry);
 
-/// The shortest text that reads back as the same double.
-/// Requires a finite number.
-std::string numberText(double number);
-
 } // namespace isph
