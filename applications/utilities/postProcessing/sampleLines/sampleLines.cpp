@@ -124,6 +124,16 @@ static void print(const SampleSet& set, const Fields& fields, const std::string&
     if (!std::cout.flush()) { throw Error(Fault::input, "standard output takes no more"); }
 }
 
+/// "U, p along vertical, mid"
+static std::string summary(const SampleSet& set, const Fields& fields)
+{
+    std::vector<std::string> fieldNames;
+    std::vector<std::string> placeNames;
+    for (const NamedField& field : fields.named) { fieldNames.push_back(field.name); }
+    for (std::size_t place = 0; place < set.size(); ++place) { placeNames.push_back(set.name(place)); }
+    return fmt::format("{} at {}", fmt::join(fieldNames, ", "), fmt::join(placeNames, ", "));
+}
+
 static void run(const CommandLine& line, Log& log)
 {
     const Case theCase(line.caseDirectory());
@@ -143,7 +153,7 @@ static void run(const CommandLine& line, Log& log)
         const Fields fields = readFields(ofTime, set.fields(), lattice);
         if (line.has("stdout")) { print(set, fields, time.name, times.size() * set.size() == 1); }
         else { writeSamples(set, fields.named, theCase.path("postProcessing/sampleLines/" + time.name)); }
-        log.line(fmt::format("Time = {}: {} fields at {} places", time.name, fields.named.size(), set.size()));
+        log.line(fmt::format("Time = {}: {}", time.name, summary(set, fields)));
     }
     if (!line.has("stdout")) { log.line("Wrote postProcessing/sampleLines"); }
 }
