@@ -37,7 +37,7 @@ std::string ownerOf(int descriptor)
 
 RunLock::RunLock(const std::filesystem::path& caseDirectory)
 {
-    const std::filesystem::path path = caseDirectory / ".continua.lock";
+    const std::filesystem::path path = caseDirectory / ".isphFoam.lock";
     while (true)
     {
         file_.emplace(path, O_RDWR | O_CREAT);
@@ -47,7 +47,7 @@ RunLock::RunLock(const std::filesystem::path& caseDirectory)
             if (errno == EWOULDBLOCK)
             {
                 throw Error(Fault::input, {caseDirectory.lexically_normal().string(), 0, ""},
-                            fmt::format("{} is solving this case already", ownerOf(descriptor)),
+                            fmt::format("is being solved by {} already", ownerOf(descriptor)),
                             "wait for it or stop it, or clone the case with cloneCase");
             }
             if (errno == EINTR) { continue; }
