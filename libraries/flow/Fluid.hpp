@@ -3,6 +3,7 @@
 #include "fields/Field.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace isph
 {
@@ -22,8 +23,8 @@ public:
 /// What flows.
 struct Fluid
 {
-    double nu = 0;  ///< kinematic viscosity [m2/s]; 0: inviscid
-    double rho = 1; ///< density [kg/m3], for pressures in Pa
+    double nu = 0; ///< kinematic viscosity [m2/s]; 0: inviscid
+    std::optional<double> rho = std::nullopt; ///< density [kg/m3], for pressures in Pa
     std::unique_ptr<const BodyForce> bodyForce = nullptr;
 };
 

@@ -30,6 +30,9 @@ public:
     virtual void save(FieldWriter& writer) const = 0;
     virtual void restore(const FieldReader& reader) = 0;
 
+    /// Whether a file holds the state of this kind of flow.
+    virtual bool restores(const FieldReader& reader) const = 0;
+
     /// Goes back to the state before the last step (which diverged, say).
     virtual void stepBack() = 0;
 

@@ -50,8 +50,8 @@ void requireSampled(const FlowSettings& settings)
 
 } // namespace
 
-PhysicalFlow::PhysicalFlow(const Lattice& lattice, Fluid fluid, FlowSettings settings, Timings& timings)
-    : lattice_(lattice), fluid_(std::move(fluid)), settings_((requireSampled(settings), std::move(settings))), timings_(timings),
+PhysicalFlow::PhysicalFlow(const Lattice& lattice, const Fluid& fluid, const FlowSettings& settings, Timings& timings)
+    : lattice_(lattice), fluid_(fluid), settings_((requireSampled(settings), settings)), timings_(timings),
       derivative_(
           [&]
           {
@@ -105,15 +105,17 @@ StartReport PhysicalFlow::start(const RealField& velocity, bool project)
 
 void PhysicalFlow::save(FieldWriter& writer) const
 {
-    writer.writeState("U", velocity_);
+    writer.writeState("physicalU", velocity_);
     if (settings_.incremental) { writer.writeState("p", incrementalPressure_); }
 }
 
 void PhysicalFlow::restore(const FieldReader& reader)
 {
-    reader.readState("U", velocity_);
+    reader.readState("physicalU", velocity_);
     if (settings_.incremental && reader.hasState("p")) { reader.readState("p", incrementalPressure_); }
 }
+
+bool PhysicalFlow::restores(const FieldReader& reader) const { return reader.hasState("physicalU"); }
 
 void PhysicalFlow::stepBack()
 {

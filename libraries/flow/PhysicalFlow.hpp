@@ -18,12 +18,14 @@ namespace isph
 class PhysicalFlow : public IncompressibleFlow
 {
 public:
+    /// fluid and settings must outlive the flow.
     /// \throws Error(input) without origin for settings that only a flow in Fourier space can honour.
-    PhysicalFlow(const Lattice& lattice, Fluid fluid, FlowSettings settings, Timings& timings);
+    PhysicalFlow(const Lattice& lattice, const Fluid& fluid, const FlowSettings& settings, Timings& timings);
 
     StartReport start(const RealField& velocity, bool project) override;
     void save(FieldWriter& writer) const override;
     void restore(const FieldReader& reader) override;
+    bool restores(const FieldReader& reader) const override;
     void stepBack() override;
     StepRates rates() override;
     void advance(const Substep& substep, double t, double dt) override;
@@ -41,8 +43,8 @@ private:
     void addConvection();
 
     Lattice lattice_;
-    Fluid fluid_;
-    FlowSettings settings_;
+    const Fluid& fluid_;
+    const FlowSettings& settings_;
     Timings& timings_;
     DerivativeSymbol derivative_;
     OperatorBounds bounds_;

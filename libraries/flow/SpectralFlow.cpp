@@ -51,9 +51,9 @@ void multiply(Complex* values, const Complex* first, Complex ofRow, std::size_t 
 
 } // namespace
 
-SpectralFlow::SpectralFlow(const Lattice& lattice, Fluid fluid, FlowSettings settings, Timings& timings,
+SpectralFlow::SpectralFlow(const Lattice& lattice, const Fluid& fluid, const FlowSettings& settings, Timings& timings,
                            PlanEffort effort)
-    : lattice_(lattice), fluid_(std::move(fluid)), settings_(std::move(settings)), timings_(timings),
+    : lattice_(lattice), fluid_(fluid), settings_(settings), timings_(timings),
       derivative_(derivativeOf(lattice, settings_.kernel)), retained_(lattice, settings_.dealiasing)
 {
     const int dimensions = lattice.dimensions();
@@ -130,16 +130,18 @@ StartReport SpectralFlow::start(const RealField& velocity, bool project)
 
 void SpectralFlow::save(FieldWriter& writer) const
 {
-    writer.writeState("U", state_);
+    writer.writeState("spectralU", state_);
     if (settings_.incremental) { writer.writeState("p", pressureModes_); }
 }
 
 void SpectralFlow::restore(const FieldReader& reader)
 {
-    reader.readState("U", state_);
+    reader.readState("spectralU", state_);
     if (settings_.incremental && reader.hasState("p")) { reader.readState("p", pressureModes_); }
     stateChanged();
 }
+
+bool SpectralFlow::restores(const FieldReader& reader) const { return reader.hasState("spectralU"); }
 
 void SpectralFlow::stepBack()
 {

@@ -20,12 +20,14 @@ namespace isph
 class SpectralFlow : public IncompressibleFlow
 {
 public:
-    SpectralFlow(const Lattice& lattice, Fluid fluid, FlowSettings settings, Timings& timings,
+    /// fluid and settings must outlive the flow.
+    SpectralFlow(const Lattice& lattice, const Fluid& fluid, const FlowSettings& settings, Timings& timings,
                  PlanEffort effort = PlanEffort::measured);
 
     StartReport start(const RealField& velocity, bool project) override;
     void save(FieldWriter& writer) const override;
     void restore(const FieldReader& reader) override;
+    bool restores(const FieldReader& reader) const override;
     void stepBack() override;
     StepRates rates() override;
     void advance(const Substep& substep, double t, double dt) override;
@@ -55,8 +57,8 @@ private:
                         const SpectralField& from, SpectralField& to);
 
     Lattice lattice_;
-    Fluid fluid_;
-    FlowSettings settings_;
+    const Fluid& fluid_;
+    const FlowSettings& settings_;
     Timings& timings_;
     DerivativeSymbol derivative_;
     RetainedModes retained_;

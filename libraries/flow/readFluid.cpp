@@ -48,7 +48,7 @@ const Schema& transportPropertiesSchema()
     static const Schema schema("transportProperties",
                                {{.name = "nu", .type = Type::dimensioned, .unit = "m2/s",
                                  .meaning = "kinematic viscosity; 0: inviscid", .required = true, .minimum = 0},
-                                {.name = "rho", .type = Type::dimensioned, .unit = "kg/m3", .fallback = "1",
+                                {.name = "rho", .type = Type::dimensioned, .unit = "kg/m3",
                                  .meaning = "density, for pressures in Pa", .positive = true},
                                 {.name = "bodyForce", .type = Type::function, .unit = "m/s2",
                                  .meaning = "force per unit mass: uniform (..), expression (..) of x y z t"},
@@ -64,12 +64,16 @@ Fluid readFluid(const Case& flowCase, const Lattice& lattice)
     const Dictionary dictionary = transportPropertiesSchema().complete(flowCase.dictionary("constant/transportProperties"));
     Fluid fluid;
     fluid.nu = dictionary.dimensionedNumber("nu", viscosityDimensions);
-    fluid.rho = dictionary.dimensionedNumber("rho", densityDimensions);
+    std::vector<std::pair<std::string, double>> constants{{"nu", fluid.nu}};
+    if (dictionary.has("rho"))
+    {
+        fluid.rho = dictionary.dimensionedNumber("rho", densityDimensions);
+        constants.emplace_back("rho", *fluid.rho);
+    }
     if (dictionary.has("bodyForce"))
     {
         fluid.bodyForce = std::make_unique<FunctionForce>(
-            readFunction(dictionary, "bodyForce", 3, {{"nu", fluid.nu}, {"rho", fluid.rho}}, flowCase.directory()),
-            lattice);
+            readFunction(dictionary, "bodyForce", 3, constants, flowCase.directory()), lattice);
     }
     return fluid;
 }

@@ -7,6 +7,7 @@
 #include "lattice/Lattice.hpp"
 
 #include <string>
+#include <vector>
 
 namespace isph
 {
@@ -16,11 +17,21 @@ struct FlowAtTime
 {
     IncompressibleFlow& flow;
     double time;            ///< [s]
-    const std::string& name; ///< of the time, e.g. "0.25"
+    std::string name;       ///< of the time, e.g. "0.25"
     long step;              ///< index of the step
     double cpuTime;         ///< [s], of all runs so far
     double wallTime;        ///< [s]
     const Timings& timings; ///< of this run
+    double dt = 0;          ///< length of the step that led here [s]; 0 at the start
+    double dt = 0;          ///< [s], length of the step; 0 at the start
+};
+
+/// A norm of an error, for report.json (errors.U.relL2).
+struct ErrorNorm
+{
+    std::string field; ///< "U"
+    std::string norm;  ///< "relL2"
+    double value;
 };
 
 /// Something that watches a run: error norms, statistics, probes, samples. Asks the flow for no more than it needs: what no
@@ -32,6 +43,12 @@ public:
 
     /// Computes and writes. Called only when its output control says so.
     virtual void execute(const FlowAtTime& now) = 0;
+
+    /// Takes a sample, for functions that gather over time (their executeControl says when); before execute().
+    virtual void accumulate(const FlowAtTime&) {}
+
+    /// The norms of the last execution, for functions that compute errors.
+    virtual std::vector<ErrorNorm> errors() const { return {}; }
 };
 
 } // namespace isph

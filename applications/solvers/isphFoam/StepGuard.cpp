@@ -1,0 +1,47 @@
+#include "StepGuard.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace isph
+{
+
+StabilityMargin StepGuard::judge(const StepRates& rates, double dt)
+{
+    const StabilityMargin margin = stabilityMargin(scheme_, rates, dt);
+    const double stable = largestStableStep(scheme_, rates);
+    largestMargin_ = std::max(largestMargin_, dt / stable);
+    if (dt > stable && !warned_)
+    {
+        warned_ = true;
+        stable_ = stable;
+        log_.warning(fmt::format("deltaT {:.6g} is above the largest stable step {:.6g} (the {} term rules): "
+                                 "the run may diverge. Write deltaT auto; or a smaller one.",
+                                 dt, stable, margin.convectionRules() ? "convective" : "viscous"));
+    }
+    return margin;
+}
+
+std::optional<Error> StepGuard::divergence(const StepRates& rates, double dt, const TimeControl& control) const
+{
+    const bool finite = std::isfinite(rates.courant) && std::isfinite(rates.convective);
+    const double over = finite ? stabilityMargin(scheme_, rates, dt).convective : 0;
+    if (finite && over <= divergedCo_) { return std::nullopt; }
+
+    const std::string what =
+        finite ? fmt::format("the solution diverged in the step after time {}: the Courant number reached {:.3g}, {:.3g} "
+                             "times the stable one",
+                             control.timeName(), dt * rates.courant, over)
+               : fmt::format("the solution diverged in the step after time {}: the velocity is no longer finite",
+                             control.timeName());
+    const std::string advice =
+        largestMargin_ > 1
+            ? fmt::format("steps were up to {:.3g} times the stable one; take deltaT auto; or at most {:.4g}",
+                          largestMargin_, 0.8 * stable_)
+            : std::string("steps kept to the limit: the flow is under-resolved or the scheme is not robust for it; try "
+                          "convection divergence; dealiasing twoThirds; filter { type exponential; }, or more points");
+    return Error(Fault::diverged, what, advice + "; the last good state is on disk");
+}
+
+} // namespace isph

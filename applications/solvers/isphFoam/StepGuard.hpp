@@ -1,0 +1,38 @@
+#pragma once
+
+#include "case/TimeControl.hpp"
+#include "core/Error.hpp"
+#include "core/Log.hpp"
+#include "schemes/stabilityLimits.hpp"
+
+#include <optional>
+
+namespace isph
+{
+
+/// Watches that steps stay below what the scheme bears, and that the solution stays a solution.
+class StepGuard
+{
+public:
+    StepGuard(Log& log, const TimeScheme& scheme, double divergedCo)
+        : log_(log), scheme_(scheme), divergedCo_(divergedCo)
+    {
+    }
+
+    /// Margin of the next step; warns, once a run, of a step above the limit.
+    StabilityMargin judge(const StepRates& rates, double dt);
+
+    /// The error if the state after a step of dt has diverged: anything not finite, or a Courant number divergedCo times
+    /// the stable one.
+    std::optional<Error> divergence(const StepRates& rates, double dt, const TimeControl& control) const;
+
+private:
+    Log& log_;
+    const TimeScheme& scheme_;
+    double divergedCo_;
+    bool warned_ = false;
+    double largestMargin_ = 0;
+    double stable_ = 0; ///< step at the time of the warning [s]
+};
+
+} // namespace isph

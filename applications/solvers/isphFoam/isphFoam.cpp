@@ -1,0 +1,120 @@
+// isphFoam: incompressible SPH in a box by fast transforms.
+//
+//     makeLattice -case taylorGreen2D
+//     isphFoam -case taylorGreen2D
+//     isphFoam -case taylorGreen2D -postProcess -latestTime
+//
+// Reads 0/, constant/ and system/; writes time folders, postProcessing/ and postProcessing/report.json.
+
+#include "RunLog.hpp"
+#include "StepGuard.hpp"
+#include "postProcess.hpp"
+#include "runSupport.hpp"
+
+#include "case/AtomicFolder.hpp"
+#include "case/PurgeWrite.hpp"
+#include "case/RunLock.hpp"
+#include "case/readTimeControl.hpp"
+#include "core/runApplication.hpp"
+#include "core/signals.hpp"
+#include "fields/threads.hpp"
+#include "flow/readFlow.hpp"
+#include "flow/writeFlow.hpp"
+
+#include <optional>
+
+using namespace isph;
+
+static void run(const CommandLine& line, Log& log)
+{
+    if (line.has("postProcess")) { return postProcess(line, log); }
+
+    // Read: everything the run needs, in the order one thing depends on another.
+    Timings timings;
+    auto setup = std::make_optional<Timings::Scope>(timings, Phase::setup);
+    const int threads = useRequestedThreads();
+    const Case flowCase(line.caseDirectory());
+    const RunLock lock(flowCase.directory());
+    removeLeftovers(flowCase.directory());
+    TimeControl control = readTimeControl(flowCase);
+    const StartFolder start = findStart(flowCase, control.settings());
+    const Scene scene(flowCase, start.folder.name);
+    Functions functions = readFunctions(line, flowCase, scene, control.timeName());
+    const TimeScheme& scheme = *scene.settings.time;
+    RunReport report = openReport(flowCase, scene, threads);
+
+    // Build: the flow in the state of the start folder.
+    const auto flow = makeFlow(scene, timings);
+    const StartReport started = readFlow(flowCase, start.folder.name, start.restart, scene, *flow);
+    warnOfOtherPlans(flowCase, start, *flow, log);
+    RunLog runLog(log, line.has("verbose"), control, scene, report.scene, started);
+    StepGuard guard(log, scheme, control.settings().divergedCo);
+    SteadyCheck steady(control.settings().steadyTolerance, *flow);
+    ControlDictWatch watch(flowCase);
+    PurgeWrite purge(flowCase.directory(), control.settings().purgeWrite);
+    setup.reset();
+
+    // March: from here on the case is only written to.
+    const auto write = [&]
+    {
+        const auto scope = timings.scope(Phase::output);
+        writeFlow(flowCase, control.timeName(), control.state(), scene, *flow);
+        purge.wrote(control.timeName());
+    };
+    const auto observe = [&]
+    {
+        const auto scope = timings.scope(Phase::functions);
+        functions.execute(control.event(), flowAtTime(*flow, control, timings));
+    };
+    const auto finish = [&](Ending ending)
+    {
+        for (const auto& [field, norm, value] : functions.errors()) { report.errors.push_back({field, norm, value}); }
+        runLog.close(report, timings);
+        writeReport(flowCase, report.json(control, timings, ending));
+    };
+
+    catchSignals();
+    StepRates rates = flow->rates();
+    observe();
+    while (control.running())
+    {
+        const double dt = control.timeStep(stepLimits(scene, rates, functions.nextTime()));
+        const StabilityMargin margin = guard.judge(rates, dt);
+        advance(scheme, *flow, control.time(), dt);
+        report.step(margin, flow->transforms());
+
+        rates = flow->rates();
+        if (const auto diverged = guard.divergence(rates, dt, control))
+        {
+            flow->stepBack();
+            if (control.steps() > 0) { write(); }
+            finish(Ending::diverged);
+            throw *diverged;
+        }
+        control.advance();
+        if (steady.asked()) { control.noteAcceleration(steady.acceleration(*flow, dt)); }
+        if (caughtSignal() != 0) { control.end(Ending::signal); }
+        if (control.settings().runTimeModifiable) { watch.refresh(control, log); }
+
+        observe();
+        runLog.step(rates, dt, *flow);
+        if (control.writesNow()) { write(); }
+    }
+    finish(control.ending().value_or(Ending::endTime));
+    if (control.ending() == Ending::signal) { throw StoppedBySignal{caughtSignal()}; }
+}
+
+int main(int argc, char** argv)
+{
+    Application application{
+        .name = "isphFoam",
+        .summary = "Incompressible SPH in a box by fast transforms.",
+        .examples = "isphFoam -case taylorGreen2D\n"
+                    "isphFoam -case taylorGreen2D -postProcess -latestTime",
+        .options = {{"postProcess", "", "run the functions on the times already written"},
+                    {"noFunctionObjects", "", "do not run the functions of controlDict"},
+                    {"verbose", "", "report every step, also on a terminal"}},
+        .listings = flowListings()};
+    application.options.insert(application.options.end(), timeOptions.begin(), timeOptions.end());
+    return runApplication(application, argc, argv, run);
+}

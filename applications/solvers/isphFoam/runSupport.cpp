@@ -1,0 +1,118 @@
+#include "runSupport.hpp"
+
+#include "core/writeTextFile.hpp"
+#include "flow/readFlowSettings.hpp"
+#include "kernels/kernelSelection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace isph
+{
+
+Functions readFunctions(const CommandLine& line, const Case& flowCase, const Scene& scene,
+                        const std::string& startTime)
+{
+    const Dictionary controlDict = flowCase.dictionary("system/controlDict");
+    if (line.has("noFunctionObjects") || !controlDict.hasDictionary("functions")) { return {}; }
+    return Functions(controlDict.dictionary("functions"),
+                     {.theCase = flowCase,
+                      .lattice = scene.lattice,
+                      .fluid = scene.fluid,
+                      .startTime = startTime,
+                      .pressureScale = scene.files.pressureScale,
+                      .pressureUnit = scene.files.pressureUnit,
+                      .pressureFixed = false});
+}
+
+FlowAtTime flowAtTime(IncompressibleFlow& flow, const TimeControl& control, const Timings& timings)
+{
+    const TimeState state = control.state();
+    return {.flow = flow,
+            .time = state.time,
+            .name = control.timeName(),
+            .step = state.index,
+            .cpuTime = state.cpuTime,
+            .wallTime = state.wallTime,
+            .timings = timings,
+            .dt = control.lastStep()};
+}
+
+StepLimits stepLimits(const Scene& scene, const StepRates& rates, double meetTime)
+{
+    double least = scene.lattice.activeAxis(0).spacing();
+    for (int d = 1; d < scene.lattice.dimensions(); ++d)
+    {
+        least = std::min(least, scene.lattice.activeAxis(d).spacing());
+    }
+    return {.largestStable = largestStableStep(*scene.settings.time, rates),
+            .convectiveRate = rates.courant,
+            .viscousRate = rates.viscous > 0 ? scene.fluid.nu / (least * least) : 0,
+            .meetTime = meetTime};
+}
+
+RunReport openReport(const Case& flowCase, const Scene& scene, int threads)
+{
+    RunReport report;
+    report.caseName = flowCase.name();
+    report.lattice = scene.lattice;
+    report.scene = describeScene(scene.lattice, scene.fluid, scene.settings);
+    report.threads = threads;
+    report.substepsPerStep = static_cast<int>(scene.settings.time->substeps.size());
+    return report;
+}
+
+void writeReport(const Case& flowCase, const Json& report)
+{
+    std::filesystem::create_directories(flowCase.path("postProcessing"));
+    writeTextFile(flowCase.path("postProcessing/report.json"), report.text());
+}
+
+void warnOfOtherPlans(const Case& flowCase, const StartFolder& start, const IncompressibleFlow& flow, Log& log)
+{
+    if (!start.restart) { return; }
+    const Dictionary state = flowCase.dictionary(start.folder.name + "/uniform/time");
+    if (!state.has("transformPlans") || state.text("transformPlans") == flow.planFingerprint()) { return; }
+    log.warning("this restart uses other transform plans than the run that wrote its start: it goes on within round-off, "
+                "not in the same bits (another machine, thread count or wisdom)");
+}
+
+std::vector<Listing> flowListings()
+{
+    return {{"listKernels", [] { return kernels().words(); }},
+            {"listConvections", [] { return convectionForms().words(); }},
+            {"listLaplacians", [] { return laplacians().words(); }},
+            {"listTimeSchemes", [] { return timeSchemes().words(); }},
+            {"listViscousTreatments", [] { return viscousTreatments().words(); }},
+            {"listDealiasings", [] { return dealiasings().words(); }},
+            {"listFilters", [] { return filters().words(); }},
+            {"listEigenvalues", [] { return eigenvalueForms().words(); }},
+            {"listPresets", [] { return presets().words(); }},
+            {"listFunctions", [] { return functionTypes(); }}};
+}
+
+SteadyCheck::SteadyCheck(const std::optional<double>& tolerance, IncompressibleFlow& flow)
+{
+    if (tolerance) { previous_ = copyOf(flow.velocity()); }
+}
+
+double SteadyCheck::acceleration(IncompressibleFlow& flow, double dt)
+{
+    const RealField& velocity = flow.velocity();
+    double largest2 = 0;
+    for (std::size_t i = 0; i < velocity.size(); ++i)
+    {
+        double change2 = 0;
+        for (int c = 0; c < velocity.components(); ++c)
+        {
+            const double change = velocity[c][i] - previous_[c][i];
+            change2 += change * change;
+            previous_[c][i] = velocity[c][i];
+        }
+        largest2 = std::max(largest2, change2);
+    }
+    return std::sqrt(largest2) / dt;
+}
+
+} // namespace isph

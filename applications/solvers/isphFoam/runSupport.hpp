@@ -1,0 +1,49 @@
+#pragma once
+
+#include "case/readTimeControl.hpp"
+#include "core/CommandLine.hpp"
+#include "core/Log.hpp"
+#include "flow/RunReport.hpp"
+#include "flow/Scene.hpp"
+#include "functions/functionSelection.hpp"
+
+#include <vector>
+
+namespace isph
+{
+
+/// The functions of controlDict, none with -noFunctionObjects.
+Functions readFunctions(const CommandLine& line, const Case& flowCase, const Scene& scene,
+                        const std::string& startTime);
+
+/// A flow as its functions see it.
+FlowAtTime flowAtTime(IncompressibleFlow& flow, const TimeControl& control, const Timings& timings);
+
+/// What limits the next step.
+StepLimits stepLimits(const Scene& scene, const StepRates& rates, double meetTime);
+
+RunReport openReport(const Case& flowCase, const Scene& scene, int threads);
+void writeReport(const Case& flowCase, const Json& report);
+
+/// A restart ends in the same bits only with the transform plans of the run before: says so when they differ.
+void warnOfOtherPlans(const Case& flowCase, const StartFolder& start, const IncompressibleFlow& flow, Log& log);
+
+/// The tables behind -listKernels and its like.
+std::vector<Listing> flowListings();
+
+/// Largest |dU/dt| over points, for steadyTolerance; holds a velocity only where that is asked for.
+class SteadyCheck
+{
+public:
+    SteadyCheck(const std::optional<double>& tolerance, IncompressibleFlow& flow);
+
+    bool asked() const { return previous_.components() > 0; }
+
+    /// [m/s2], of the step of dt that was just taken.
+    double acceleration(IncompressibleFlow& flow, double dt);
+
+private:
+    RealField previous_;
+};
+
+} // namespace isph

@@ -1,0 +1,29 @@
+#include "flow/Scene.hpp"
+
+#include "flow/PhysicalFlow.hpp"
+#include "flow/SpectralFlow.hpp"
+#include "flow/readFlowSettings.hpp"
+#include "flow/readFluid.hpp"
+#include "lattice/readLattice.hpp"
+
+namespace isph
+{
+
+Scene::Scene(const Case& flowCase, const std::string& time)
+    : lattice(readLattice(flowCase.dictionary("constant/lattice"))), fluid(readFluid(flowCase, lattice)),
+      settings(readFlowSettings(flowCase.dictionary("system/schemes"), flowCase.dictionary("system/solution"), lattice,
+                                fluid)),
+      files(readFlowFiles(flowCase, time, lattice, fluid))
+{
+}
+
+std::unique_ptr<IncompressibleFlow> makeFlow(const Scene& scene, Timings& timings, PlanEffort effort)
+{
+    if (scene.settings.directSum)
+    {
+        return std::make_unique<PhysicalFlow>(scene.lattice, scene.fluid, scene.settings, timings);
+    }
+    return std::make_unique<SpectralFlow>(scene.lattice, scene.fluid, scene.settings, timings, effort);
+}
+
+} // namespace isph
