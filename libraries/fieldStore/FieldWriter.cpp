@@ -1,14 +1,15 @@
 #include "fieldStore/FieldWriter.hpp"
 
-#include "core/Error.hpp"
+#include "core/FileDescriptor.hpp"
 #include "core/version.hpp"
 #include "fieldStore/layout.hpp"
-#include "fieldStore/OutputFile.hpp"
 #include "fieldStore/seal.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <fcntl.h>
+#include <string_view>
 #include <vector>
 
 namespace isph
@@ -16,10 +17,10 @@ namespace isph
 
 struct FieldWriter::File
 {
-    OutputFile disk;
+    FileDescriptor disk;
     Hdf5Handle hdf5;
 
-    Origin origin(const std::string& entry = "") const { return {disk.path().string(), 0, entry}; }
+    Origin origin(const std::string& entry = "") const { return {disk.file().string(), 0, entry}; }
 };
 
 namespace
@@ -31,7 +32,7 @@ constexpr const char* problem = "cannot be written";
 
 Hdf5Handle properties(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
 
-/// A file in memory: HDF5 1.10 crashes when a disk refuses a write, so the disk is left to OutputFile.
+/// A file in memory: HDF5 1.10 crashes when a disk refuses a write, so the disk is left to FileDescriptor.
 Hdf5Handle memoryFile(const std::string& name)
 {
     silenceHdf5();
@@ -138,7 +139,9 @@ void putState(hid_t file, const std::string& name, hid_t type, const Field<Value
 } // namespace
 
 FieldWriter::FieldWriter(const std::filesystem::path& file, const Lattice& lattice)
-    : file_(std::make_unique<File>(File{OutputFile(file), memoryFile(file.string())})), lattice_(lattice)
+    : file_(
+          std::make_unique<File>(File{FileDescriptor(file, O_WRONLY | O_CREAT | O_TRUNC), memoryFile(file.string())})),
+      lattice_(lattice)
 {
     const Origin origin = file_->origin();
     const hid_t root = file_->hdf5;
@@ -200,10 +203,11 @@ void FieldWriter::close()
     checked(H5Fget_vfd_handle(file_->hdf5, H5P_DEFAULT, &memory), origin, problem);
     const ssize_t size = checked(H5Fget_file_image(file_->hdf5, nullptr, 0), origin, problem);
     const char* const image = *static_cast<const char**>(memory);
-    const std::span<const char> contents(image + sealSize, static_cast<std::size_t>(size));
-    file_->disk.write(sealOf(contents));
+    const std::string_view contents(image + sealSize, static_cast<std::size_t>(size));
+    const Seal seal = sealOf(contents);
+    file_->disk.write({seal.data(), seal.size()});
     file_->disk.write(contents);
-    file_->disk.close();
+    file_->disk.sync();
     file_.reset();
 }
 
