@@ -129,12 +129,19 @@ SampleSet readSampleSet(const Dictionary& sampleDict, const Lattice& lattice, co
 {
     const Dictionary complete = sampleSchema().complete(sampleDict);
     std::vector<std::string> names;
-    const std::vector<Line> lines = placesOf(complete, "lines", lattice, names, lineOf);
-    const std::vector<Plane> planes = placesOf(complete, "planes", lattice, names, planeOf);
+    std::vector<Line> lines = placesOf(complete, "lines", lattice, names, lineOf);
+    std::vector<Plane> planes = placesOf(complete, "planes", lattice, names, planeOf);
     if (names.empty())
     {
         throw Error(Fault::input, {complete.origin().file, 0, ""}, "asks for no line and no plane",
                     "write e.g. lines { centre { start (0.5 0 0); end (0.5 1 0); nPoints 101; } }");
+    }
+    if (choices.only)
+    {
+        const std::string& only = choices.only->text;
+        if (std::ranges::find(names, only) == names.end()) { throwUnknownWord("line or plane", *choices.only, names); }
+        std::erase_if(lines, [&only](const Line& line) { return line.name != only; });
+        std::erase_if(planes, [&only](const Plane& plane) { return plane.name != only; });
     }
     return {lattice, lines, planes, choices.fields.value_or(complete.words("fields")),
             interpolations()[choices.interpolation.value_or(complete.word("interpolation"))]};

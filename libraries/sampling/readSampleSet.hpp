@@ -16,6 +16,7 @@ struct SampleChoices
 {
     std::optional<std::vector<Word>> fields;
     std::optional<Word> interpolation;
+    std::optional<Word> only; ///< name of the one line or plane to sample
 };
 
 /// The lines and planes that system/sampleDict asks for.

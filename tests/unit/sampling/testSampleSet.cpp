@@ -109,9 +109,19 @@ TEST(SampleSet, choicesOverrideTheDictionary)
 {
     const Lattice lattice = mixedLattice(8, 9, 1);
     const SampleSet set = read("lines { up { start (0 0.25 0); end (0 1.25 0); nPoints 4; } } fields (p);", lattice,
-                               {.fields = {{{"vorticity", {}}}}, .interpolation = {{"linear", {}}}});
+                               {.fields = {{{"vorticity", {}}}}, .interpolation = {{"linear", {}}}, .only = {}});
     EXPECT_TRUE(set.notes().empty());
     EXPECT_EQ(set.fields().at(0).text, "vorticity");
+}
+
+TEST(SampleSet, onlyOneOfThem)
+{
+    const Lattice lattice = mixedLattice(8, 9, 1);
+    const std::string text = "lines { a { start (0 1 0); end (1 1 0); nPoints 4; } } planes { b { normal z; at 0; } }";
+    const SampleSet set = read(text, lattice, {.fields = {}, .interpolation = {}, .only = {{"b", {}}}});
+    ASSERT_EQ(set.size(), 1U);
+    EXPECT_EQ(set.name(0), "b");
+    EXPECT_THROW(read(text, lattice, {.fields = {}, .interpolation = {}, .only = {{"c", {}}}}), Error);
 }
 
 TEST(SampleSet, namesWhatIsWrong)

@@ -105,6 +105,7 @@ static SampleSet readSamples(const CommandLine& line, const Case& theCase, const
     {
         choices.interpolation = {*line.value("interpolation"), {"", 0, "-interpolation"}};
     }
+    if (line.has("only")) { choices.only = {*line.value("only"), {"", 0, "-only"}}; }
     if (!line.has("plane")) { return readSampleSet(theCase.dictionary("system/sampleDict"), lattice, choices); }
 
     Plane plane = planeOfText(*line.value("plane"), lattice);
@@ -168,6 +169,7 @@ int main(int argc, char** argv)
                             .listings = {{"listInterpolations", [] { return interpolations().words(); }}}};
     application.options = {{"stdout", "", "data to standard output, the report to standard error"},
                            {"interpolation", "WORD", "in place of the dictionary's"},
+                           {"only", "NAME", "one line or plane of the dictionary"},
                            {"plane", "PLANE", "instead of the dictionary: 'z 0.5', z for the middle, or auto"},
                            {"raster", "N", "with -plane: N points along its longer side instead of lattice points"}};
     application.options.insert(application.options.end(), timeOptions.begin(), timeOptions.end());
