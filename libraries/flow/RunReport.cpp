@@ -47,10 +47,10 @@ Json RunReport::json(const TimeControl& control, const Timings& timings, Ending 
     seconds.set("other", timings.other());
 
     Json norms = Json::object();
-    for (const ErrorNorm& first : errors)
+    for (const ReportedError& first : errors)
     {
         Json ofField = Json::object();
-        for (const ErrorNorm& error : errors)
+        for (const ReportedError& error : errors)
         {
             if (error.field == first.field) { ofField.set(error.norm, error.value); }
         }
@@ -108,7 +108,7 @@ void RunReport::print(Log& log, const TimeControl& control, const Timings& timin
         log.line(fmt::format("Largest step over its limit: convective {:.3g}, viscous {:.3g}", margin.convective,
                              margin.viscous));
     }
-    for (const ErrorNorm& error : errors)
+    for (const ReportedError& error : errors)
     {
         if (error.norm == "relL2") { log.line(fmt::format("Relative L2 error of {}: {:.4e}", error.field, error.value)); }
     }

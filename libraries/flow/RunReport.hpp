@@ -13,7 +13,7 @@ namespace isph
 {
 
 /// A norm of the error of a field, e.g. U, relL2.
-struct ErrorNorm
+struct ReportedError
 {
     std::string field;
     std::string norm;
@@ -33,7 +33,7 @@ struct RunReport
     StabilityMargin margin; ///< largest dt over its limit so far
     long transforms = 0;    ///< of one component, in steps
 
-    std::vector<ErrorNorm> errors;
+    std::vector<ReportedError> errors;
 
     /// Takes note of a step.
     /// \param transformsSoFar of one component, in all steps
