@@ -23,7 +23,6 @@ struct FlowAtTime
     double wallTime;        ///< [s]
     const Timings& timings; ///< of this run
     double dt = 0;          ///< length of the step that led here [s]; 0 at the start
-    double dt = 0;          ///< [s], length of the step; 0 at the start
 };
 
 /// A norm of an error, for report.json (errors.U.relL2).
@@ -34,8 +33,8 @@ struct ErrorNorm
     double value;
 };
 
-/// Something that watches a run: error norms, statistics, probes, samples. Asks the flow for no more than it needs: what no
-/// function asks for is never computed.
+/// Something that watches a run: error norms, statistics, probes, samples. Asks the flow for no more than it needs:
+/// what no function asks for is never computed.
 class FunctionObject
 {
 public:

@@ -3,9 +3,11 @@
 #include "case/Case.hpp"
 #include "core/Log.hpp"
 #include "core/Selection.hpp"
+#include "dictionary/Schema.hpp"
 #include "functions/FunctionObject.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,11 +20,14 @@ struct FunctionSurroundings
     const Case& theCase;
     const Lattice& lattice;
     const Fluid& fluid;
-    std::string startTime;  ///< name of the time the run starts from: the folder they write under
-    double pressureScale;   ///< what kinematic pressure is multiplied by for output: 1, or rho where 0/p is in Pa
+    std::string startTime;    ///< name of the time the run starts from: the folder they write under
+    double pressureScale;     ///< what kinematic pressure is multiplied by for output: 1, or rho where 0/p is in Pa
     std::string pressureUnit; ///< "m2/s2" or "Pa"
-    bool pressureFixed;     ///< somewhere on the boundary: then errors of p are taken as they are, else without means
+    bool pressureFixed;       ///< somewhere on the boundary: then errors of p are taken as they are, else without means
 };
+
+/// Keys that functions of every type have: type, enabled, timeStart, timeEnd, writeControl, writeInterval.
+std::vector<Key> functionKeys();
 
 /// One line for each type: what -listFunctions prints.
 std::vector<ListedWord> functionTypes();
@@ -48,13 +53,8 @@ public:
 
     bool empty() const { return functions_.empty(); }
 
-    /// Last error norms, for report.json: field name, name of the norm, value (errors.U.relL2).
-    struct Norm
-    {
-        std::string field;
-        std::string norm;
-        double value;
-    };
+    /// Last norms of every errorNorms, for report.json.
+    using Norm = ErrorNorm;
     std::vector<Norm> errors() const;
 
 private:
@@ -62,8 +62,15 @@ private:
     {
         std::string name;
         OutputControl control;
+        std::optional<OutputControl> sampling; ///< executeControl, of functions that gather over time
+        double timeStart;                      ///< [s], of the window the function runs in
+        double timeEnd;                        ///< [s]
         std::unique_ptr<FunctionObject> object;
+
+        double nextTime() const;
     };
+    void add(const Entry& entry, const FunctionSurroundings& surroundings);
+
     std::vector<Function> functions_;
 };
 

@@ -1,0 +1,166 @@
+#include "functions/functionSelection.hpp"
+
+#include "case/readTimeControl.hpp"
+#include "functions/readFunctions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <iterator>
+#include <limits>
+#include <span>
+#include <utility>
+
+namespace isph
+{
+
+namespace
+{
+
+constexpr std::array<Selection<const FunctionType*>::Variant, 2> table{{
+    {"errorNorms", "errors.csv: L1, L2, Linf and relative L2 of the difference to an exact solution", &errorNormsType},
+    {"flowStatistics", "flow.csv: kinetic energy, enstrophy and its budget, palinstrophy, Courant number, divergence",
+     &flowStatisticsType},
+}};
+static_assert(distinct(table));
+
+constexpr Selection<const FunctionType*> types("function type", table);
+
+constexpr double noLimit = std::numeric_limits<double>::infinity();
+
+/// The keys of a type and those of every function; the type may give a key of the latter another default.
+Schema schemaOf(const FunctionType& type)
+{
+    std::vector<Key> keys = type.keys();
+    std::ranges::copy_if(functionKeys(), std::back_inserter(keys),
+                         [own = keys](const Key& key)
+                         { return std::ranges::find(own, key.name, &Key::name) == own.end(); });
+    return Schema("functions", std::move(keys));
+}
+
+/// The number of a key that may be left out.
+double numberOr(const Dictionary& dictionary, std::string_view key, double otherwise)
+{
+    return dictionary.has(key) ? dictionary.number(key) : otherwise;
+}
+
+/// executeControl and executeInterval: when a function that gathers over time takes a sample.
+std::optional<OutputControl> readSamplingControl(const Dictionary& function)
+{
+    if (!function.has("executeControl")) { return std::nullopt; }
+    const WriteControl control = functionWriteControls()[function.word("executeControl")];
+    const double interval = function.number("executeInterval");
+    if (control == WriteControl::timeStep && (interval < 1 || interval != std::trunc(interval)))
+    {
+        throw function.error("executeInterval", "counts steps and must be a whole number", "write e.g. 1");
+    }
+    return OutputControl(control, interval);
+}
+
+} // namespace
+
+std::vector<Key> functionKeys()
+{
+    using enum Key::Type;
+    std::vector<Key> keys{
+        {.name = "type", .type = word, .meaning = "what it does", .required = true},
+        {.name = "enabled", .type = flag, .fallback = "yes", .meaning = "no: as if it were not there"},
+        {.name = "timeStart", .type = number, .unit = "s", .meaning = "not before this time"},
+        {.name = "timeEnd", .type = number, .unit = "s", .meaning = "not after this time"},
+        {.name = "libs", .type = any, .meaning = "OpenFOAM's; not used: every function is part of the solver"}};
+    std::ranges::move(outputControlKeys(), std::back_inserter(keys));
+    return keys;
+}
+
+std::vector<ListedWord> functionTypes() { return types.words(); }
+
+Functions::Functions(const Dictionary& functions, const FunctionSurroundings& surroundings)
+{
+    std::vector<Complaint> complaints;
+    for (const Entry& entry : functions.entries())
+    {
+        try
+        {
+            add(entry, surroundings);
+        }
+        catch (const Error& error)
+        {
+            std::ranges::copy(error.complaints(), std::back_inserter(complaints));
+        }
+    }
+    if (!complaints.empty()) { throw Error(Fault::input, std::move(complaints)); }
+}
+
+void Functions::add(const Entry& entry, const FunctionSurroundings& surroundings)
+{
+    if (!entry.isDictionary())
+    {
+        if (scalarValue(entry) || entry.usedByMacro) { return; } // a constant of the functions' expressions
+        throw Error(Fault::input, entry.origin(), "is no function",
+                    fmt::format("write {} {{ type errorNorms; ... }}", entry.keyword()));
+    }
+    const Dictionary& given = entry.dictionary();
+    if (given.has("enabled") && !given.flag("enabled")) { return; }
+    if (!given.has("type"))
+    {
+        throw given.error("type", "is missing", fmt::format("known are: {}", listOfWords("", types.names())));
+    }
+    const FunctionType& type = *types[given.word("type")];
+    const Dictionary dictionary = schemaOf(type).complete(given);
+    Function function{.name = entry.keyword(),
+                      .control = readOutputControl(dictionary),
+                      .sampling = readSamplingControl(dictionary),
+                      .timeStart = numberOr(dictionary, "timeStart", -noLimit),
+                      .timeEnd = numberOr(dictionary, "timeEnd", noLimit),
+                      .object = type.make(entry.keyword(), dictionary, surroundings)};
+    functions_.push_back(std::move(function));
+}
+
+void Functions::execute(const StepEvent& event, const FlowAtTime& now)
+{
+    const double slack = 1e-9 * event.dt;
+    for (Function& function : functions_)
+    {
+        // Controls count every event, also those outside of the window.
+        const bool samples = function.sampling && function.sampling->due(event);
+        const bool executes = function.control.due(event);
+        if (event.time < function.timeStart - slack || event.time > function.timeEnd + slack) { continue; }
+        if (samples) { function.object->accumulate(now); }
+        if (executes) { function.object->execute(now); }
+    }
+}
+
+void Functions::executeAll(const FlowAtTime& now)
+{
+    for (Function& function : functions_)
+    {
+        function.object->accumulate(now);
+        function.object->execute(now);
+    }
+}
+
+double Functions::nextTime() const
+{
+    double next = noLimit;
+    for (const Function& function : functions_) { next = std::min(next, function.nextTime()); }
+    return next;
+}
+
+double Functions::Function::nextTime() const
+{
+    const double next = std::min(control.nextTime(), sampling ? sampling->nextTime() : noLimit);
+    return next <= timeEnd ? next : noLimit;
+}
+
+std::vector<Functions::Norm> Functions::errors() const
+{
+    std::vector<Norm> norms;
+    for (const Function& function : functions_)
+    {
+        std::ranges::move(function.object->errors(), std::back_inserter(norms));
+    }
+    return norms;
+}
+
+} // namespace isph
