@@ -32,7 +32,7 @@ constexpr Selection<StopAt> stopWords("stopAt", stopTable);
 /// A number, or nothing where the word `none` is written.
 std::optional<double> numberUnless(const Dictionary& dictionary, std::string_view key, std::string_view none)
 {
-    if (dictionary.text(key) == none) { return std::nullopt; }
+    if (dictionary.find(key)->tokens().front().text == none) { return std::nullopt; }
     return dictionary.number(key);
 }
 
