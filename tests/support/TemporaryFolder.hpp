@@ -1,25 +1,22 @@
 #pragma once
 
-#include <atomic>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
-#include <unistd.h>
 
 namespace isph
 {
 
-/// An empty folder for a test, gone when the test ends.
+/// A folder of its own for a test, removed with all that is in it.
 class TemporaryFolder
 {
 public:
     TemporaryFolder()
     {
-        static std::atomic<int> count = 0;
-        path_ = std::filesystem::temp_directory_path() /
-                ("continua-test-" + std::to_string(getpid()) + "-" + std::to_string(++count));
-        std::filesystem::create_directories(path_);
+        std::string name = (std::filesystem::temp_directory_path() / "continua-XXXXXX").string();
+        path_ = mkdtemp(name.data());
     }
     ~TemporaryFolder()
     {
@@ -30,21 +27,24 @@ public:
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
-    std::filesystem::path operator/(const std::string& relative) const { return path_ / relative; }
+    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
-    /// Writes a file, and the folders it is in.
-    void put(const std::string& relative, const std::string& text) const
+    void makeFolder(const std::string& name) const { std::filesystem::create_directories(path_ / name); }
+
+    /// What is in a file below the folder; empty if there is none.
+    std::string textOf(const std::string& name) const
     {
-        std::filesystem::create_directories((path_ / relative).parent_path());
-        std::ofstream(path_ / relative, std::ios::binary) << text;
+        std::ifstream file(path_ / name, std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), {}};
     }
 
-    void makeFolder(const std::string& relative) const { std::filesystem::create_directories(path_ / relative); }
-
-    std::string textOf(const std::string& relative) const
+    /// Writes a file below the folder, making the folders it is in.
+    std::filesystem::path write(const std::string& name, const std::string& text) const
     {
-        std::ifstream file(path_ / relative, std::ios::binary);
-        return {std::istreambuf_iterator<char>(file), {}};
+        const std::filesystem::path file = path_ / name;
+        std::filesystem::create_directories(file.parent_path());
+        std::ofstream(file) << text;
+        return file;
     }
 
 private:

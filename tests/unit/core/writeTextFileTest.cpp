@@ -35,7 +35,7 @@ TEST(writeTextFile, makesFoldersAndReplaces)
 TEST(writeTextFile, followsLinks)
 {
     const TemporaryFolder folder;
-    folder.put("real", "one");
+    folder.write("real", "one");
     std::filesystem::create_symlink("real", folder / "link");
     writeTextFile(folder / "link", "two");
     EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
@@ -45,7 +45,7 @@ TEST(writeTextFile, followsLinks)
 TEST(writeTextFile, aFullDiskLeavesTheOldFile)
 {
     const TemporaryFolder folder;
-    folder.put("report.json", "old");
+    folder.write("report.json", "old");
     const int status = inChild(
         [&]
         {
@@ -72,7 +72,7 @@ TEST(writeTextFile, aFullDiskLeavesTheOldFile)
 TEST(writeTextFile, namesFileAndReason)
 {
     const TemporaryFolder folder;
-    folder.put("file", "");
+    folder.write("file", "");
     try
     {
         writeTextFile(folder / "file/below", "text");
