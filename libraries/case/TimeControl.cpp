@@ -143,21 +143,14 @@ double TimeControl::timeStep(const StepLimits& limits)
 
 void TimeControl::advance()
 {
-    if (arrival_)
-    {
-        state_.time = *arrival_;
-        state_.carry = 0;
-    }
-    else
-    {
-        // Knuth's exact sum of two numbers; what the first cannot hold is carried along.
-        const double sum = state_.time + nextStep_;
-        const double added = sum - state_.time;
-        const double lost = (state_.time - (sum - added)) + (nextStep_ - added);
-        const double carry = state_.carry + lost;
-        state_.time = sum + carry;
-        state_.carry = carry - (state_.time - sum);
-    }
+    // Knuth's exact sum of two numbers; what the first cannot hold is carried along.
+    const double sum = state_.time + nextStep_;
+    const double added = sum - state_.time;
+    const double lost = (state_.time - (sum - added)) + (nextStep_ - added);
+    const double carry = state_.carry + lost;
+    // A run that is extended later goes on from the sum, not from the endTime that it was rounded to.
+    state_.time = arrival_.value_or(sum + carry);
+    state_.carry = carry - (state_.time - sum);
     ++state_.index;
     state_.deltaT = nextStep_;
     state_.nominal = nextNominal_;
