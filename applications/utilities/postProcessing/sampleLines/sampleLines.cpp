@@ -15,6 +15,8 @@
 #include "sampling/readSampleSet.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <deque>
 #include <fmt/format.h>
 #include <iostream>
@@ -71,15 +73,14 @@ static Fields readFields(FieldsOfTime& ofTime, const std::vector<Word>& words, c
     return fields;
 }
 
-/// Points in the same distance along both sides of the plane, count along the longer one.
+/// Points for a picture: count along the longer side of the plane, and as dense, but at least 100, along the other.
 static std::array<int, 2> rasterOf(const Plane& plane, const Lattice& lattice, const std::string& count)
 {
-    const Word word{count, {"", 0, "-raster"}};
     char* end = nullptr;
     const long points = std::strtol(count.c_str(), &end, 10);
     if (*end != '\0' || points < 2 || points > 10000)
     {
-        throw Error(Fault::usage, word.origin, fmt::format("'{}' is no whole number from 2 to 10000", count));
+        throw Error(Fault::usage, fmt::format("-raster '{}' is no whole number from 2 to 10000", count));
     }
     std::vector<double> extents;
     for (int d = 0; d < 3; ++d)
@@ -88,7 +89,10 @@ static std::array<int, 2> rasterOf(const Plane& plane, const Lattice& lattice, c
     }
     const double longest = std::max(extents[0], extents[1]);
     const auto along = [&](double extent)
-    { return std::max(2, static_cast<int>(static_cast<double>(points - 1) * extent / longest + 0.5) + 1); };
+    {
+        return std::max(std::min(100, static_cast<int>(points)),
+                        static_cast<int>(std::lround(static_cast<double>(points) * extent / longest)));
+    };
     return {along(extents[0]), along(extents[1])};
 }
 
