@@ -18,10 +18,16 @@ namespace isph
 namespace
 {
 
-constexpr std::array<Selection<const FunctionType*>::Variant, 2> table{{
+constexpr std::array<Selection<const FunctionType*>::Variant, 8> table{{
     {"errorNorms", "errors.csv: L1, L2, Linf and relative L2 of the difference to an exact solution", &errorNormsType},
     {"flowStatistics", "flow.csv: kinetic energy, enstrophy and its budget, palinstrophy, Courant number, divergence",
      &flowStatisticsType},
+    {"sampleLines", "the lines and planes of system/sampleDict at run time", &sampleLinesType},
+    {"probes", "probes.csv: values at points over time", &probesType},
+    {"fieldAverage", "time means and second moments of fields, restartable", &fieldAverageType},
+    {"timing", "timing.csv: seconds by phase, and steps", &timingType},
+    {"wallProfile", "vorticity, shear stress and pressure along a wall; not in a box without walls", &wallProfileType},
+    {"forces", "force and moment on walls; not in a box without walls", &forcesType},
 }};
 static_assert(distinct(table));
 
@@ -135,8 +141,7 @@ void Functions::executeAll(const FlowAtTime& now)
 {
     for (Function& function : functions_)
     {
-        function.object->accumulate(now);
-        function.object->execute(now);
+        if (!function.sampling) { function.object->execute(now); }
     }
 }
 

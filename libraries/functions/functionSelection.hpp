@@ -45,7 +45,8 @@ public:
     /// Runs those that are due at this event.
     void execute(const StepEvent& event, const FlowAtTime& now);
 
-    /// Runs all of them, whatever their output control says (-postProcess).
+    /// Runs them, whatever their output control says (-postProcess): all but those that gather over a run, of which the
+    /// times that were written hold too little.
     void executeAll(const FlowAtTime& now);
 
     /// Earliest time a step has to end at for one of them (adjustableRunTime); infinity if there is none.

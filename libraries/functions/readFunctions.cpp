@@ -2,6 +2,11 @@
 
 #include "case/CsvWriter.hpp"
 #include "functions/FlowStatisticsFunction.hpp"
+#include "functions/SampleLinesFunction.hpp"
+#include "functions/TimingFunction.hpp"
+#include "sampling/readSampleSet.hpp"
+
+#include <algorithm>
 
 namespace isph
 {
@@ -18,14 +23,64 @@ std::unique_ptr<FunctionObject> makeFlowStatistics(const std::string& name, cons
                                                     surroundings.fluid);
 }
 
+std::unique_ptr<FunctionObject> makeSampleLines(const std::string& name, const Dictionary&,
+                                                const FunctionSurroundings& surroundings)
+{
+    return std::make_unique<SampleLinesFunction>(
+        outputFolder(name, surroundings),
+        readSampleSet(surroundings.theCase.dictionary("system/sampleDict"), surroundings.lattice),
+        FlowFields(surroundings.lattice, pressureForm(surroundings)));
+}
+
+std::unique_ptr<FunctionObject> makeTiming(const std::string& name, const Dictionary&,
+                                           const FunctionSurroundings& surroundings)
+{
+    return std::make_unique<TimingFunction>(outputFile(name, "timing.csv", surroundings));
+}
+
+std::vector<Key> wallKeys()
+{
+    using enum Key::Type;
+    return {{.name = "patches", .type = list, .meaning = "wall patches", .required = true}};
+}
+
+/// Functions on walls: every flow that can be solved lies in a periodic box so far.
+std::unique_ptr<FunctionObject> refuseWalls(const std::string&, const Dictionary& dictionary,
+                                            const FunctionSurroundings& surroundings)
+{
+    const bool walls = std::ranges::any_of(surroundings.lattice.patches(),
+                                           [](const Patch& patch) { return patch.type == Patch::Type::wall; });
+    throw dictionary.error("type",
+                           walls ? "needs a flow solved with walls, which there is not yet"
+                                 : "looks at walls, but the box has no wall patch",
+                           "take the function out, or set enabled no;");
+}
+
 } // namespace
 
 const FunctionType flowStatisticsType{noKeys, makeFlowStatistics};
+const FunctionType sampleLinesType{noKeys, makeSampleLines};
+const FunctionType timingType{noKeys, makeTiming};
+const FunctionType wallProfileType{wallKeys, refuseWalls};
+const FunctionType forcesType{wallKeys, refuseWalls};
 
 std::filesystem::path outputFile(const std::string& name, const std::string& file,
                                  const FunctionSurroundings& surroundings)
 {
     return postProcessingFile(surroundings.theCase.directory(), name, surroundings.startTime, file);
+}
+
+std::filesystem::path outputFolder(const std::string& name, const FunctionSurroundings& surroundings)
+{
+    return surroundings.theCase.path("postProcessing") / name;
+}
+
+std::vector<FlowQuantity> readQuantities(const Dictionary& dictionary, std::string_view key)
+{
+    std::vector<FlowQuantity> quantities;
+    for (const Word& word : dictionary.words(key)) { quantities.push_back(flowQuantities()[word]); }
+    if (quantities.empty()) { throw dictionary.error(key, "names no field", "write e.g. fields (U p);"); }
+    return quantities;
 }
 
 PressureForm pressureForm(const FunctionSurroundings& surroundings)

@@ -2,6 +2,7 @@
 
 #include "dictionary/Dictionary.hpp"
 #include "dictionary/Schema.hpp"
+#include "functions/FlowFields.hpp"
 #include "functions/FunctionObject.hpp"
 #include "functions/functionSelection.hpp"
 #include "functions/PressureForm.hpp"
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace isph
@@ -27,10 +29,23 @@ struct FunctionType
 
 extern const FunctionType errorNormsType;
 extern const FunctionType flowStatisticsType;
+extern const FunctionType sampleLinesType;
+extern const FunctionType probesType;
+extern const FunctionType fieldAverageType;
+extern const FunctionType timingType;
+extern const FunctionType wallProfileType;
+extern const FunctionType forcesType;
 
 /// <case>/postProcessing/<name>/<startTime>/<file>
 std::filesystem::path outputFile(const std::string& name, const std::string& file,
                                  const FunctionSurroundings& surroundings);
+
+/// <case>/postProcessing/<name>
+std::filesystem::path outputFolder(const std::string& name, const FunctionSurroundings& surroundings);
+
+/// The fields that a key lists, e.g. fields (U p).
+/// \throws Error(input) at a field that a flow does not have, or a list of none.
+std::vector<FlowQuantity> readQuantities(const Dictionary& dictionary, std::string_view key);
 
 PressureForm pressureForm(const FunctionSurroundings& surroundings);
 
