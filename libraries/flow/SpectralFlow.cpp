@@ -2,6 +2,7 @@
 
 #include "fields/reductions.hpp"
 #include "flow/convectiveRates.hpp"
+#include "flow/sceneSymbols.hpp"
 #include "flow/startVelocity.hpp"
 
 #include <algorithm>
@@ -16,26 +17,6 @@ namespace
 {
 
 using Complex = std::complex<double>;
-
-/// The samples of a sampled kernel, with the weights of one Laplacian.
-std::optional<KernelSamples> samplesFor(const Lattice& lattice, const KernelSettings& kernel, LaplacianForm form)
-{
-    if (kernel.symbol == KernelSettings::Symbol::closed) { return std::nullopt; }
-    return KernelSamples(lattice, kernel, form);
-}
-
-DerivativeSymbol derivativeOf(const Lattice& lattice, const KernelSettings& kernel)
-{
-    const auto samples = samplesFor(lattice, kernel, LaplacianForm::exact);
-    return DerivativeSymbol(lattice, kernel, samples ? &*samples : nullptr);
-}
-
-/// Minus the symbol of a Laplacian by mode.
-AlignedVector<double> laplacianOf(const Lattice& lattice, const KernelSettings& kernel, LaplacianForm form)
-{
-    const auto samples = form == LaplacianForm::exact ? std::nullopt : samplesFor(lattice, kernel, form);
-    return laplacianSymbol(lattice, kernel, form, samples ? &*samples : nullptr);
-}
 
 /// values *= factor along a stretch, without the checks for infinities that complex multiplication makes.
 void multiply(Complex* values, const Complex* first, Complex ofRow, std::size_t length)
