@@ -5,6 +5,7 @@
 #include "dictionary/Lexer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <limits>
 #include <utility>
@@ -31,8 +32,7 @@ Entry* Dictionary::find(std::string_view key) { return const_cast<Entry*>(std::a
 
 const Entry* Dictionary::findScoped(std::string_view key) const
 {
-    if (const Entry* whole = find(key)) { return whole; }
-    // A keyword may hold a dot itself, so every place to cut is tried, the shortest first word first.
+    // A keyword may hold a dot itself, so every place to cut is tried: the shortest first word first, the whole last.
     for (std::size_t cut = key.find_first_of("./"); cut != std::string_view::npos;
          cut = key.find_first_of("./", cut + 1))
     {
@@ -42,7 +42,7 @@ const Entry* Dictionary::findScoped(std::string_view key) const
             if (const Entry* found = first->dictionary().findScoped(key.substr(cut + 1))) { return found; }
         }
     }
-    return nullptr;
+    return find(key);
 }
 
 bool Dictionary::hasDictionary(std::string_view key) const
@@ -124,11 +124,7 @@ int Dictionary::integer(std::string_view key) const
     const std::vector<Token>& tokens = entry.tokens();
     using Limits = std::numeric_limits<int>;
     const bool isNumber = tokens.size() == 1 && tokens[0].kind == Token::Kind::number;
-    if (!isNumber ||
-        tokens[0].number != static_cast<double>(static_cast<long>(std::clamp(tokens[0].number, -1e15, 1e15))))
-    {
-        throw mismatch(entry, "a whole number");
-    }
+    if (!isNumber || tokens[0].number != std::trunc(tokens[0].number)) { throw mismatch(entry, "a whole number"); }
     if (tokens[0].number < Limits::min() || tokens[0].number > Limits::max())
     {
         throw mismatch(entry, fmt::format("a whole number from {} to {}", Limits::min(), Limits::max()));

@@ -77,141 +77,53 @@ TextEditor::TextEditor(std::string text, std::string shownAs, std::filesystem::p
 {
 }
 
-TextEditor::Span TextEditor::scan(const std::string& text, const std::string& shownAs)
+std::optional<std::vector<SpanName>> TextEditor::resolve(const Dictionary& scope, std::span<const std::string> parts)
 {
-    Lexer lexer(text, shownAs);
-    Span root;
-    root.isDictionary = true;
-    scanEntries(lexer, root);
-    root.end = text.size();
-    return root;
-}
-
-void TextEditor::scanEntries(Lexer& lexer, Span& block)
-{
-    for (;;)
+    const auto nameFrom = [&](std::size_t count)
     {
-        const Lexeme lexeme = lexer.next();
-        block.valueEnd = std::max(block.valueEnd, lexeme.kind == Lexeme::Kind::end ? 0 : lexeme.end);
-        switch (lexeme.kind)
-        {
-        case Lexeme::Kind::closeBrace:
-        case Lexeme::Kind::end:
-            return;
-        case Lexeme::Kind::directive:
-            skipDirective(lexer, lexeme);
-            break;
-        case Lexeme::Kind::semicolon:
-            break;
-        case Lexeme::Kind::macro:
-            if (lexer.peek().kind != Lexeme::Kind::semicolon) { scanEntry(lexer, lexeme); }
-            break;
-        default:
-            block.entries.push_back(scanEntry(lexer, lexeme));
-            break;
-        }
-        if (!block.entries.empty()) { block.valueEnd = std::max(block.valueEnd, block.entries.back().end); }
-    }
-}
-
-TextEditor::Span TextEditor::scanEntry(Lexer& lexer, const Lexeme& key)
-{
-    Span span;
-    span.keyword = key.text;
-    span.pattern = key.kind == Lexeme::Kind::string;
-    span.begin = key.begin;
-    span.valueBegin = key.end;
-    span.valueEnd = key.end;
-    if (lexer.peek().kind == Lexeme::Kind::openBrace)
-    {
-        span.isDictionary = true;
-        span.valueBegin = lexer.next().begin;
-        scanEntries(lexer, span);
-        span.end = span.valueEnd;
-        return span;
-    }
-    bool first = true;
-    for (;;)
-    {
-        if (lexer.peek().kind == Lexeme::Kind::openBrace) // of #eval{ }
-        {
-            lexer.bracedText();
-            span.valueEnd = lexer.end();
-        }
-        const Lexeme lexeme = lexer.next();
-        if (lexeme.kind == Lexeme::Kind::semicolon || lexeme.kind == Lexeme::Kind::end)
-        {
-            span.end = lexeme.end;
-            return span;
-        }
-        if (std::exchange(first, false)) { span.valueBegin = lexeme.begin; }
-        span.valueEnd = lexeme.end;
-    }
-}
-
-void TextEditor::skipDirective(Lexer& lexer, const Lexeme& directive)
-{
-    const auto skipOperand = [&lexer]
-    {
-        const Lexeme operand = lexer.next();
-        if (operand.kind != Lexeme::Kind::directive) { return; }
-        if (lexer.peek().kind == Lexeme::Kind::openBrace) { lexer.bracedText(); }
-        else { lexer.next(); }
+        std::string text = fmt::format("{}", fmt::join(parts.first(count), "."));
+        const bool quoted = text.starts_with('"');
+        std::erase(text, '"');
+        const Entry* entry = scope.find(text);
+        const bool itself = entry != nullptr && entry->keyword() == text;
+        return std::pair(SpanName{std::move(text), itself ? entry->isPattern() : quoted}, entry);
     };
-    if (directive.text == "else" || directive.text == "endif") { return; }
-    if (directive.text == "remove" && lexer.peek().kind == Lexeme::Kind::bracket)
+    // In the order of Dictionary::findScoped, so that reading and changing mean the same entry.
+    for (std::size_t count = 1; count < parts.size(); ++count)
     {
-        while (lexer.next().text != ")") {}
-        return;
+        auto [first, entry] = nameFrom(count);
+        if (entry == nullptr || !entry->isDictionary()) { continue; }
+        if (auto names = resolve(entry->dictionary(), parts.subspan(count)))
+        {
+            names->insert(names->begin(), std::move(first));
+            return names;
+        }
     }
-    skipOperand();
-    if (directive.text == "ifeq") { skipOperand(); }
+    if (auto [whole, entry] = nameFrom(parts.size()); entry != nullptr) { return std::vector{std::move(whole)}; }
+    return std::nullopt;
 }
 
-std::vector<TextEditor::Name> TextEditor::namesOf(const std::string& key) const
+std::vector<SpanName> TextEditor::namesOf(const std::string& key) const
 {
-    // Keywords may hold dots; where the dictionary knows a longer keyword, that is meant.
+    // As much of the key as exists, then its other parts one by one.
     const std::vector<std::string> parts = split(key);
-    std::vector<Name> names;
-    const Dictionary* scope = &dictionary_;
-    for (std::size_t i = 0; i < parts.size();)
+    std::vector<SpanName> names;
+    std::size_t known = parts.size();
+    for (; known > 0 && names.empty(); --known)
     {
-        const auto bare = [](std::string text)
+        if (auto resolved = resolve(dictionary_, std::span(parts).first(known)))
         {
-            std::erase(text, '"');
-            return text;
-        };
-        std::string keyword = bare(parts[i]);
-        bool pattern = parts[i].starts_with('"');
-        std::size_t next = i + 1;
-        std::string longer = keyword;
-        for (std::size_t j = i + 1; j < parts.size() && scope != nullptr && !scope->has(keyword); ++j)
-        {
-            longer += '.' + bare(parts[j]);
-            if (scope->has(longer))
-            {
-                keyword = longer;
-                next = j + 1;
-            }
+            names = std::move(*resolved);
+            break;
         }
-        const Entry* entry = scope != nullptr ? scope->find(keyword) : nullptr;
-        if (entry != nullptr && entry->keyword() == keyword) { pattern = entry->isPattern(); }
-        scope = entry != nullptr && entry->isDictionary() ? &entry->dictionary() : nullptr;
-        names.push_back({std::move(keyword), pattern});
-        i = next;
+    }
+    for (std::size_t i = known; i < parts.size(); ++i)
+    {
+        std::string text = parts[i];
+        std::erase(text, '"');
+        names.push_back({std::move(text), parts[i].starts_with('"')});
     }
     return names;
-}
-
-void TextEditor::collect(const Span& block, const std::vector<Name>& names, std::size_t depth,
-                         std::vector<const Span*>& found)
-{
-    for (const Span& span : block.entries)
-    {
-        if (span.keyword != names[depth].keyword || span.pattern != names[depth].pattern) { continue; }
-        if (depth + 1 == names.size()) { found.push_back(&span); }
-        else if (span.isDictionary) { collect(span, names, depth + 1, found); }
-    }
 }
 
 const Entry& TextEditor::entry(const std::string& key) const
@@ -223,7 +135,7 @@ const Entry& TextEditor::entry(const std::string& key) const
     // Name the nearest key of the innermost dictionary that does exist.
     const Dictionary* scope = &dictionary_;
     std::string missing;
-    for (const Name& name : namesOf(key))
+    for (const SpanName& name : namesOf(key))
     {
         missing = name.keyword;
         const Entry* inner = scope->find(name.keyword);
@@ -237,7 +149,8 @@ const Entry& TextEditor::entry(const std::string& key) const
                 nearest ? fmt::format("did you mean {}?", scope->scopedName(*nearest)) : "");
 }
 
-std::string TextEditor::inserted(const Span& block, bool whole, const std::string& key, const std::string& value) const
+std::string TextEditor::inserted(const TextSpan& block, bool whole, const std::string& key,
+                                 const std::string& value) const
 {
     std::string result = text_;
     const std::string entry = entryText(key, value, true);
@@ -285,18 +198,17 @@ void TextEditor::replace(std::string text, const std::string& key, bool expected
 void TextEditor::set(const std::string& key, const std::string& written)
 {
     const std::string value = checkedValue(written, shownAs_, key);
-    const std::vector<Name> names = namesOf(key);
-    const Span root = scan(text_, shownAs_);
-    std::vector<const Span*> spans;
-    collect(root, names, 0, spans);
+    const std::vector<SpanName> names = namesOf(key);
+    const TextSpan root = scanText(text_, shownAs_);
+    std::vector<const TextSpan*> spans = findSpans(root, names);
     if (!spans.empty())
     {
         // Given more than once, the one that counts is in the line that the reader took it from.
         std::string plain = key;
         std::erase(plain, '"');
         const Entry* entry = dictionary_.findScoped(plain);
-        const Span* chosen = spans.back();
-        for (const Span* span : spans)
+        const TextSpan* chosen = spans.back();
+        for (const TextSpan* span : spans)
         {
             const auto line =
                 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(span->begin), '\n');
@@ -332,14 +244,13 @@ void TextEditor::set(const std::string& key, const std::string& written)
         }
         scope = &inner->dictionary();
     }
-    const auto spelled = [](const Name& name) { return name.pattern ? '"' + name.keyword + '"' : name.keyword; };
+    const auto spelled = [](const SpanName& name) { return name.pattern ? '"' + name.keyword + '"' : name.keyword; };
     std::string missing = value; // with the dictionaries around it that this text does not hold
     for (std::size_t known = names.size() - 1; known > 0; --known)
     {
-        const std::vector<Name> outer(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(known));
-        std::vector<const Span*> blocks;
-        collect(root, outer, 0, blocks);
-        std::erase_if(blocks, [](const Span* span) { return !span->isDictionary; });
+        const std::vector<SpanName> outer(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(known));
+        std::vector<const TextSpan*> blocks = findSpans(root, outer);
+        std::erase_if(blocks, [](const TextSpan* span) { return !span->isDictionary; });
         if (!blocks.empty())
         {
             replace(inserted(*blocks.back(), false, spelled(names[known]), missing), key, true);
@@ -365,9 +276,8 @@ void TextEditor::add(const std::string& key, const std::string& value)
 void TextEditor::remove(const std::string& key)
 {
     static_cast<void>(entry(key)); // names the nearest if there is none
-    const Span root = scan(text_, shownAs_);
-    std::vector<const Span*> spans;
-    collect(root, namesOf(key), 0, spans);
+    const TextSpan root = scanText(text_, shownAs_);
+    std::vector<const TextSpan*> spans = findSpans(root, namesOf(key));
     std::string text = text_;
     for (auto span = spans.rbegin(); span != spans.rend(); ++span)
     {
@@ -383,7 +293,7 @@ void TextEditor::remove(const std::string& key)
             begin = lineBegin;
             end = std::min(lineEnd + 1, text.size());
         }
-        else if (behind < lineEnd && text[behind] != '}') { end = behind; }
+        else if (behind < lineEnd) { end = behind; }
         text.erase(begin, end - begin);
     }
     replace(std::move(text), key, false);

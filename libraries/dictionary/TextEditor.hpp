@@ -1,9 +1,11 @@
 #pragma once
 
 #include "dictionary/Dictionary.hpp"
-#include "dictionary/Lexer.hpp"
+#include "dictionary/TextSpan.hpp"
 
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,35 +44,9 @@ public:
     const Entry& entry(const std::string& key) const;
 
 private:
-    /// Where an entry stands in the text.
-    struct Span
-    {
-        std::string keyword;
-        bool pattern = false;
-        bool isDictionary = false;
-        std::size_t begin = 0;      ///< of the keyword
-        std::size_t valueBegin = 0; ///< behind the keyword, where there is no value; else of the value or the '{'
-        std::size_t valueEnd = 0;   ///< before the ';', or behind the '}'
-        std::size_t end = 0;        ///< behind the ';' or the '}'
-        std::vector<Span> entries;
-    };
-
-    /// A part of a key, as looked for.
-    struct Name
-    {
-        std::string keyword;
-        bool pattern = false;
-    };
-
-    static Span scan(const std::string& text, const std::string& shownAs);
-    static void scanEntries(Lexer& lexer, Span& block);
-    static Span scanEntry(Lexer& lexer, const Lexeme& key);
-    static void skipDirective(Lexer& lexer, const Lexeme& directive);
-
-    std::vector<Name> namesOf(const std::string& key) const;
-    static void collect(const Span& block, const std::vector<Name>& names, std::size_t depth,
-                        std::vector<const Span*>& found);
-    std::string inserted(const Span& block, bool whole, const std::string& key, const std::string& value) const;
+    static std::optional<std::vector<SpanName>> resolve(const Dictionary& scope, std::span<const std::string> parts);
+    std::vector<SpanName> namesOf(const std::string& key) const;
+    std::string inserted(const TextSpan& block, bool whole, const std::string& key, const std::string& value) const;
     void replace(std::string text, const std::string& key, bool expected);
 
     std::string text_;

@@ -29,24 +29,20 @@ Entry* Parser::findOutwards(std::string_view key, std::size_t scope) const
 
 Entry* Parser::findDotted(std::string_view name, std::size_t scope, bool outwards) const
 {
-    Entry* whole = outwards ? findOutwards(name, scope) : scopes_[scope]->find(name);
-    if (whole != nullptr) { return whole; }
-    // a.b may be b inside of a; a itself may hold dots.
+    const auto findFirst = [&](std::string_view key)
+    { return outwards ? findOutwards(key, scope) : scopes_[scope]->find(key); };
+    // a.b is b inside of a, or a keyword with a dot; as in OpenFOAM, the shortest first word comes first.
     for (std::size_t cut = name.find('.'); cut != std::string_view::npos; cut = name.find('.', cut + 1))
     {
-        const std::string_view first = name.substr(0, cut);
-        Entry* entry = outwards ? findOutwards(first, scope) : scopes_[scope]->find(first);
-        std::string_view rest = name.substr(cut + 1);
-        while (entry != nullptr && entry->isDictionary() && !rest.empty())
+        Entry* first = findFirst(name.substr(0, cut));
+        if (first == nullptr || !first->isDictionary()) { continue; }
+        if (const Entry* found = first->dictionary().findScoped(name.substr(cut + 1)))
         {
-            entry->usedByMacro = true;
-            if (Entry* found = entry->dictionary().find(rest)) { return found; }
-            const std::size_t next = rest.find('.');
-            entry = next == std::string_view::npos ? nullptr : entry->dictionary().find(rest.substr(0, next));
-            rest = next == std::string_view::npos ? std::string_view() : rest.substr(next + 1);
+            first->usedByMacro = true;
+            return const_cast<Entry*>(found); // of a dictionary that is being read, so not constant
         }
     }
-    return nullptr;
+    return findFirst(name);
 }
 
 Entry* Parser::macroEntry(std::string_view name)
