@@ -50,8 +50,9 @@ double lowerGamma(int n, double s)
     if (n <= 0) { return 1; }
     if (s <= 0) { return 0; }
     if (s > n + 1.0) { return 1 - upperGamma(n, s); }
-    // exp(-s) s^n/n! (1 + s/(n+1) + ...): every term is positive.
-    double term = std::exp(-s + n * std::log(s) - std::lgamma(n + 1.0));
+    // exp(-s) s^n/n! (1 + s/(n+1) + ...): every term is positive, and factor by factor the first loses no digits.
+    double term = std::exp(-s);
+    for (int m = 1; m <= n; ++m) { term *= s / m; }
     double total = term;
     for (int m = n + 1; term > 1e-18 * total; ++m)
     {
@@ -65,8 +66,8 @@ Gaussian::Gaussian(int order) : n_(order / 2)
 {
     if (order < 2 || order > largestOrder || order % 2 != 0)
     {
-        throw Error(Fault::input, "is " + std::to_string(order) + " but must be even, from 2 to " +
-                                      std::to_string(largestOrder),
+        throw Error(Fault::input,
+                    "is " + std::to_string(order) + " but must be even, from 2 to " + std::to_string(largestOrder),
                     "a symmetric kernel has an even order: write e.g. order 4;");
     }
 }

@@ -24,9 +24,12 @@ double normalisation(int dimensions)
     using std::numbers::pi;
     switch (dimensions)
     {
-    case 1: return 1.0 / 120;
-    case 2: return 7.0 / (478 * pi);
-    default: return 1.0 / (120 * pi);
+    case 1:
+        return 1.0 / 120;
+    case 2:
+        return 7.0 / (478 * pi);
+    default:
+        return 1.0 / (120 * pi);
     }
 }
 
@@ -42,8 +45,8 @@ double sumOfPieces(double q, Term term)
     return total;
 }
 
-/// Below this q the quotients by q are taken from their series at 0.
-constexpr double nearCentre = 1e-4;
+/// Up to here w = 66 - 60 q^2 + 30 q^4 - 10 q^5, whose quotients by q lose no digits.
+constexpr double innerPiece = 1;
 
 } // namespace
 
@@ -54,14 +57,13 @@ double QuinticSpline::w(double q, int dimensions) const
 
 double QuinticSpline::f(double q, int dimensions) const
 {
-    // Near 0: w = 66 - 60 q^2 + 30 q^4 - 10 q^5.
-    if (q < nearCentre) { return normalisation(dimensions) * (-120 + 120 * q * q - 50 * q * q * q); }
+    if (q < innerPiece) { return normalisation(dimensions) * (-120 + 120 * q * q - 50 * q * q * q); }
     return normalisation(dimensions) * sumOfPieces(q, [](double a) { return -5 * std::pow(a, 4); }) / q;
 }
 
 double QuinticSpline::g(double q, int dimensions) const
 {
-    if (q < nearCentre) { return normalisation(dimensions) * (240 - 150 * q); }
+    if (q < innerPiece) { return normalisation(dimensions) * (240 - 150 * q); }
     const double first = sumOfPieces(q, [](double a) { return -5 * std::pow(a, 4); });
     const double second = sumOfPieces(q, [](double a) { return 20 * std::pow(a, 3); });
     return normalisation(dimensions) * (second / (q * q) - first / (q * q * q));

@@ -40,8 +40,8 @@ void forEachMode(const Lattice& lattice, double smoothingLength, Visit visit)
 } // namespace
 
 AlignedVector<double> symbolOfWeights(const Lattice& lattice, FourierTransform& transform,
-                                      const std::vector<std::array<int, 3>>& offsets, const std::vector<double>& weights,
-                                      bool odd)
+                                      const std::vector<std::array<int, 3>>& offsets,
+                                      const std::vector<double>& weights, bool odd)
 {
     RealField wrapped(1, lattice.points());
     for (std::size_t b = 0; b < offsets.size(); ++b)
@@ -71,7 +71,8 @@ DerivativeSymbol::DerivativeSymbol(const Lattice& lattice, const KernelSettings&
     {
         if (settings.exact()) { return; }
         smoothing_.resize(rows_.modes());
-        forEachMode(lattice, settings.smoothingLength, [this, &settings](std::size_t mode, double s, double)
+        forEachMode(lattice, settings.smoothingLength,
+                    [this, &settings](std::size_t mode, double s, double)
                     { smoothing_[mode] = settings.kernel->symbol(s); });
         return;
     }
@@ -141,7 +142,7 @@ AlignedVector<double> laplacianSymbol(const Lattice& lattice, const KernelSettin
     {
         FourierTransform transform(lattice, 1);
         auto symbol = symbolOfWeights(lattice, transform, samples->offsets, samples->laplacian, false);
-        const double atRest = form == LaplacianForm::morris ? symbol[0] : 0; // sum of the weights: zero by construction
+        const double atRest = symbol[0]; // sum of the weights, zero by construction: its round-off, then
         for (double& value : symbol) { value = atRest - value; }
         return symbol;
     }

@@ -24,8 +24,8 @@ KernelSamples::KernelSamples(const Lattice& lattice, const KernelSettings& setti
     }
 
     std::array<double, 3> firstMoment{0, 0, 0}; // of gradient[j] with x_j; 1 for a consistent operator
-    double secondMoment = 0;                    // of the second-derivative Laplacian, likewise
-    double sumOfMorris = 0;
+    double secondMoment = 0;                    // of the second-derivative Laplacian at equal spacings, likewise
+    double sumOfWeights = 0;
     std::size_t self = 0;
     for (std::size_t b = 0; b < offsets.size(); ++b)
     {
@@ -38,6 +38,7 @@ KernelSamples::KernelSamples(const Lattice& lattice, const KernelSettings& setti
         const double q = std::sqrt(q2);
         const double f = scale * kernel.f(q, dimensions);
         const double g = form == LaplacianForm::secondDerivative ? scale * kernel.g(q, dimensions) : 0;
+        secondMoment += 0.5 * q2 * (f + q2 * g / dimensions);
         if (q2 == 0) { self = b; }
 
         double weight = 0;
@@ -54,15 +55,10 @@ KernelSamples::KernelSamples(const Lattice& lattice, const KernelSettings& setti
             {
                 weight -= ((dimensions + 2) * scaled2 / q2 - 1) * f / (h[d] * h[d]);
             }
-            if (form == LaplacianForm::secondDerivative)
-            {
-                const double curvature = (f + scaled2 * g) / (h[d] * h[d]);
-                weight += curvature;
-                secondMoment += 0.5 * curvature * x * x / dimensions;
-            }
+            if (form == LaplacianForm::secondDerivative) { weight += (f + scaled2 * g) / (h[d] * h[d]); }
         }
         if (form != LaplacianForm::exact) { laplacian.push_back(weight); }
-        sumOfMorris += weight;
+        sumOfWeights += weight;
     }
 
     if (settings.renormalise)
@@ -75,10 +71,11 @@ KernelSamples::KernelSamples(const Lattice& lattice, const KernelSettings& setti
         }
         const double moment = form == LaplacianForm::morris ? mean : secondMoment;
         for (double& weight : laplacian) { weight /= moment; }
-        if (form == LaplacianForm::morris) { sumOfMorris /= moment; }
+        sumOfWeights /= moment;
     }
-    // Morris acts on differences f_b - f_a: the point itself carries minus the sum of the others.
-    if (form == LaplacianForm::morris) { laplacian[self] = -sumOfMorris; }
+    // Laplacians act on differences f_b - f_a, as a truncated kernel's weights do not add up to zero by themselves: the
+    // point itself carries minus the sum of the others.
+    if (!laplacian.empty()) { laplacian[self] -= sumOfWeights; }
 }
 
 } // namespace isph
