@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <iterator>
 #include <map>
 #include <string>
 #include <vector>
@@ -71,28 +72,29 @@ static std::string sourceTime(const CommandLine& line, const Case& source)
 }
 
 /// Fields that both cases have, or those of -fields.
-static std::vector<std::string> fieldsToMap(const CommandLine& line, FieldsOfTime& source, const Case& target)
+static std::vector<std::string> fieldsToMap(const CommandLine& line, const std::vector<std::string>& available,
+                                            const Case& target)
 {
     const auto startsHere = [&target](const std::string& name) { return target.has("0/" + name); };
-    std::vector<std::string> available = source.names();
     if (line.has("fields"))
     {
-        available = selectFields(available, line);
-        const auto missing = std::ranges::find_if_not(available, startsHere);
-        if (missing != available.end())
+        const std::vector<std::string> chosen = selectFields(available, line);
+        const auto missing = std::ranges::find_if_not(chosen, startsHere);
+        if (missing != chosen.end())
         {
             throw Error(Fault::input, {"0/" + *missing, 0, ""}, "is missing, and with it the boundary conditions",
                         "write that file first; its internalField does not matter");
         }
-        return available;
+        return chosen;
     }
-    std::erase_if(available, [&](const std::string& name) { return !startsHere(name); });
-    if (available.empty())
+    std::vector<std::string> common;
+    std::ranges::copy_if(available, std::back_inserter(common), startsHere);
+    if (common.empty())
     {
         throw Error(Fault::input, {"0", 0, ""}, "has no field that the source has",
-                    fmt::format("the source has: {}", fmt::join(source.names(), ", ")));
+                    fmt::format("the source has: {}", fmt::join(available, ", ")));
     }
-    return available;
+    return common;
 }
 
 static bool isStored(const Dictionary& field)
@@ -140,13 +142,6 @@ static void copyFolder(const fs::path& from, const fs::path& to)
 /// Puts a folder in place of 0 when all of it is written; what was there stays as 0.orig unless there is one.
 static void replaceStart(const Case& target, const Lattice& lattice, const StartFields& fields, Log& log)
 {
-    if (!target.has("0.orig"))
-    {
-        AtomicFolder original(target.path("0.orig"));
-        copyFolder(target.path("0"), original.path());
-        original.commit();
-        log.line("Kept the start as it was in 0.orig");
-    }
     AtomicFolder start(target.path("0"));
     copyFolder(target.path("0"), start.path());
     FieldWriter writer(start.path() / storeName, lattice);
@@ -156,6 +151,14 @@ static void replaceStart(const Case& target, const Lattice& lattice, const Start
         writeTextFile(start.path() / name, startText(target, name, field.header.components));
     }
     writer.close();
+
+    if (!target.has("0.orig"))
+    {
+        AtomicFolder original(target.path("0.orig"));
+        copyFolder(target.path("0"), original.path());
+        original.commit();
+        log.line("Kept the start as it was in 0.orig");
+    }
     start.commit();
 }
 
@@ -173,7 +176,8 @@ static void run(const CommandLine& line, Log& log)
     const Lattice lattice = readLattice(target.dictionary("constant/lattice"));
     const std::string time = sourceTime(line, source);
     FieldsOfTime sourceFields(source, time);
-    const std::vector<std::string> names = fieldsToMap(line, sourceFields, target);
+    const std::vector<std::string> names =
+        fieldsToMap(line, ofSource(sourceFolder, [&] { return sourceFields.names(); }), target);
 
     LatticeMap map(sourceLattice, lattice);
     log.line(fmt::format("Source: {}, time {}", sourceFolder.string(), time));
