@@ -46,10 +46,17 @@ std::string indent(std::size_t level) { return std::string(2 * level, ' '); }
 
 } // namespace
 
-Json Json::object(std::vector<Member> members)
+Json Json::object()
 {
     Json json;
-    json.value_ = std::move(members);
+    json.value_ = Object{};
+    return json;
+}
+
+Json Json::object(std::vector<Member> members)
+{
+    Json json = object();
+    for (Member& member : members) { json.set(member.key, std::move(member.value)); }
     return json;
 }
 
@@ -62,10 +69,14 @@ Json Json::array(std::vector<Json> elements)
 
 Json& Json::set(std::string_view key, Json value)
 {
-    Object& members = std::get<Object>(value_);
-    const auto member = std::ranges::find(members, key, &Member::key);
-    if (member != members.end()) { member->value = std::move(value); }
-    else { members.push_back({std::string(key), std::move(value)}); }
+    auto& [keys, values] = std::get<Object>(value_);
+    const auto found = std::ranges::find(keys, key) - keys.begin();
+    if (static_cast<std::size_t>(found) == keys.size())
+    {
+        keys.emplace_back(key);
+        values.emplace_back();
+    }
+    values[static_cast<std::size_t>(found)] = std::move(value);
     return *this;
 }
 
@@ -108,14 +119,15 @@ void Json::append(std::string& text, std::size_t level) const
     }
     else if (const auto* members = std::get_if<Object>(&value_))
     {
+        const auto& [keys, values] = *members;
         text += '{';
-        for (std::size_t i = 0; i < members->size(); ++i)
+        for (std::size_t i = 0; i < keys.size(); ++i)
         {
             text.append(i > 0 ? ",\n" : "\n").append(indent(level + 1));
-            text.append(quoted((*members)[i].key)).append(": ");
-            (*members)[i].value.append(text, level + 1);
+            text.append(quoted(keys[i])).append(": ");
+            values[i].append(text, level + 1);
         }
-        if (!members->empty()) { text.append("\n").append(indent(level)); }
+        if (!keys.empty()) { text.append("\n").append(indent(level)); }
         text += '}';
     }
     else { text += "null"; }

@@ -30,7 +30,8 @@ public:
     Json(const char* text) : value_(std::string(text)) {}
 
     /// An empty object, or one with these members: Json::object({{"steps", 12}, {"case", "cavity"}}).
-    static Json object(std::vector<Member> members = {});
+    static Json object();
+    static Json object(std::vector<Member> members);
 
     /// An empty array, or one with these elements.
     static Json array(std::vector<Json> elements = {});
@@ -54,7 +55,11 @@ public:
 
 private:
     using Array = std::vector<Json>;
-    using Object = std::vector<Member>;
+    struct Object
+    {
+        std::vector<std::string> keys;
+        std::vector<Json> values;
+    };
 
     void append(std::string& text, std::size_t level) const;
     bool isPlain() const;

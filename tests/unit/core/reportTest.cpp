@@ -2,7 +2,6 @@
 #include "core/Progress.hpp"
 #include "core/Timings.hpp"
 
-#include <cmath>
 #include <gtest/gtest.h>
 
 using namespace isph;
@@ -67,11 +66,12 @@ TEST(Timings, nestedScopesAddUp)
         burn(0.01);
     }
     burn(0.01);
-    EXPECT_NEAR(timings.seconds(Phase::pointwise), 0.02, 0.008);
-    EXPECT_NEAR(timings.seconds(Phase::transforms), 0.02, 0.008);
+    // Lower bounds only: a busy machine takes longer. Counting anything twice would exceed the total.
+    EXPECT_GE(timings.seconds(Phase::pointwise), 0.02);
+    EXPECT_GE(timings.seconds(Phase::transforms), 0.02);
     EXPECT_GE(timings.other(), 0.01);
-    EXPECT_NEAR(timings.other() + timings.seconds(Phase::pointwise) + timings.seconds(Phase::transforms),
-                timings.total(), 1e-3);
+    const double sum = timings.other() + timings.seconds(Phase::pointwise) + timings.seconds(Phase::transforms);
+    EXPECT_LE(sum, timings.total() + 1e-9);
 }
 
 TEST(Timings, processFigures)
