@@ -81,11 +81,12 @@ TEST(Gaussian, HasTheDerivativesOfItsValues)
             {
                 const double slope = derivative([&](double r) { return kernel.w(r, d); }, q);
                 const double slopeOfF = derivative([&](double r) { return kernel.f(r, d); }, q);
-                // Round-off over the step; the recurrence of the polynomial adds half an order of them. The truncation,
-                // (step sqrt(order))^6, is smaller.
-                const double roundOff = 1e-16 / step * (10 + 0.5 * order);
-                EXPECT_NEAR(q * kernel.f(q, d), slope, roundOff * std::abs(kernel.w(0, d)));
-                EXPECT_NEAR(q * kernel.g(q, d), slopeOfF, roundOff * std::abs(kernel.f(0, d)));
+                // Round-off over the step, and half an order of it from the polynomial's recurrence; truncation with
+                // the kernel's largest wavenumber 2 sqrt(n), 2n being the order.
+                const double roundOff = 2e-16 / step * (10 + 0.5 * order);
+                const double error = roundOff + std::pow(2.0 * order, 3.5) * std::pow(step, 6) / 140;
+                EXPECT_NEAR(q * kernel.f(q, d), slope, error * std::abs(kernel.w(0, d)));
+                EXPECT_NEAR(q * kernel.g(q, d), slopeOfF, error * std::abs(kernel.f(0, d)));
             }
         }
     }
