@@ -22,7 +22,9 @@ public:
 
     /// components arrays of size values, all zero.
     Field(int components, std::size_t size)
-        : components_(components), size_(size), stride_(roundedUp(size)),
+        : components_(components),
+          size_(size),
+          stride_(roundedUp(size)),
           values_(static_cast<std::size_t>(components) * stride_)
     {
     }

@@ -17,42 +17,42 @@ template<int D>
 class DivergenceForm : public Convection
 {
 public:
-    /// \param firstProduct component that its products begin at, where it shares a field with another form
-    explicit DivergenceForm(int firstProduct = 0) : first_(firstProduct) {}
-
     int inputs() const override { return D; }
     int products() const override { return D == 2 ? 2 : 5; }
     void deriveInputs(const ModeSpan&, SpectralField&) const override {}
 
-    void multiply(const RealField& inputs, RealField& products) const override
+    void multiply(RealField& points) const override
     {
-        const double* __restrict u = inputs[0].data();
-        const double* __restrict v = inputs[1].data();
-        const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(inputs.size());
+        const double* u = points[0].data();
+        const double* v = points[1].data();
+        std::array<double*, 5> out{};
+        for (int c = 0; c < (D == 2 ? 2 : 5); ++c) { out[static_cast<std::size_t>(c)] = points[c].data(); }
+        const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(points.size());
         if constexpr (D == 2)
         {
-            double* __restrict difference = products[first_].data();
-            double* __restrict shear = products[first_ + 1].data();
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for simd schedule(static)
             for (std::ptrdiff_t i = 0; i < size; ++i)
             {
-                difference[i] = (u[i] - v[i]) * (u[i] + v[i]);
-                shear[i] = u[i] * v[i];
+                const double x = u[i];
+                const double y = v[i];
+                out[0][i] = (x - y) * (x + y);
+                out[1][i] = x * y;
             }
         }
         else
         {
-            const double* __restrict w = inputs[2].data();
-            std::array<double*, 5> out{};
-            for (int c = 0; c < 5; ++c) { out[static_cast<std::size_t>(c)] = products[first_ + c].data(); }
-#pragma omp parallel for schedule(static)
+            const double* w = points[2].data();
+#pragma omp parallel for simd schedule(static)
             for (std::ptrdiff_t i = 0; i < size; ++i)
             {
-                out[0][i] = (u[i] - w[i]) * (u[i] + w[i]);
-                out[1][i] = (v[i] - w[i]) * (v[i] + w[i]);
-                out[2][i] = u[i] * v[i];
-                out[3][i] = u[i] * w[i];
-                out[4][i] = v[i] * w[i];
+                const double x = u[i];
+                const double y = v[i];
+                const double z = w[i];
+                out[0][i] = (x - z) * (x + z);
+                out[1][i] = (y - z) * (y + z);
+                out[2][i] = x * y;
+                out[3][i] = x * z;
+                out[4][i] = y * z;
             }
         }
     }
@@ -60,7 +60,7 @@ public:
     void rate(const ModeSpan& span, const SpectralField& products, double scale,
               const std::array<Complex*, 3>& rate) const override
     {
-        const auto product = [&](int component) { return products[first_ + component].data() + span.first; };
+        const auto product = [&](int component) { return products[component].data() + span.first; };
         const double* dx = span.d[0];
         const double* dy = span.d[1];
         if constexpr (D == 2)
@@ -92,9 +92,6 @@ public:
             }
         }
     }
-
-private:
-    int first_;
 };
 
 /// u x omega; the gradient of the kinetic energy is left to the projection.
@@ -108,10 +105,7 @@ public:
     void deriveInputs(const ModeSpan& span, SpectralField& inputs) const override
     {
         const auto field = [&](int component) { return inputs[component].data() + span.first; };
-        if constexpr (D == 2)
-        {
-            subtractedDerivatives(span, 0, field(1), 1, field(0), field(2));
-        }
+        if constexpr (D == 2) { subtractedDerivatives(span, 0, field(1), 1, field(0), field(2)); }
         else
         {
             subtractedDerivatives(span, 1, field(2), 2, field(1), field(3));
@@ -120,26 +114,28 @@ public:
         }
     }
 
-    void multiply(const RealField& inputs, RealField& products) const override
+    void multiply(RealField& points) const override
     {
-        std::array<const double*, 6> in{};
-        for (int c = 0; c < inputs.components(); ++c) { in[static_cast<std::size_t>(c)] = inputs[c].data(); }
-        std::array<double*, 3> out{};
-        for (int c = 0; c < D; ++c) { out[static_cast<std::size_t>(c)] = products[c].data(); }
-        const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(inputs.size());
-#pragma omp parallel for schedule(static)
+        std::array<double*, 6> f{};
+        for (int c = 0; c < inputs(); ++c) { f[static_cast<std::size_t>(c)] = points[c].data(); }
+        const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(points.size());
+#pragma omp parallel for simd schedule(static)
         for (std::ptrdiff_t i = 0; i < size; ++i)
         {
+            const double u = f[0][i];
+            const double v = f[1][i];
             if constexpr (D == 2)
             {
-                out[0][i] = in[1][i] * in[2][i];
-                out[1][i] = -in[0][i] * in[2][i];
+                const double omega = f[2][i];
+                f[0][i] = v * omega;
+                f[1][i] = -u * omega;
             }
             else
             {
-                out[0][i] = in[1][i] * in[5][i] - in[2][i] * in[4][i];
-                out[1][i] = in[2][i] * in[3][i] - in[0][i] * in[5][i];
-                out[2][i] = in[0][i] * in[4][i] - in[1][i] * in[3][i];
+                const double w = f[2][i];
+                f[0][i] = v * f[5][i] - w * f[4][i];
+                f[1][i] = w * f[3][i] - u * f[5][i];
+                f[2][i] = u * f[4][i] - v * f[3][i];
             }
         }
     }
@@ -189,17 +185,22 @@ public:
         }
     }
 
-    void multiply(const RealField& inputs, RealField& products) const override
+    void multiply(RealField& points) const override { write(points, 0); }
+
+    /// Writes u . grad u, negative, behind firstProduct components.
+    void write(RealField& points, int firstProduct) const
     {
         std::array<const double*, D + D * D> in{};
-        for (int c = 0; c < inputs.components(); ++c) { in[static_cast<std::size_t>(c)] = inputs[c].data(); }
+        for (int c = 0; c < inputs(); ++c) { in[static_cast<std::size_t>(c)] = points[c].data(); }
         std::array<double*, D> out{};
-        for (int c = 0; c < D; ++c) { out[static_cast<std::size_t>(c)] = products[c].data(); }
+        for (int c = 0; c < D; ++c) { out[static_cast<std::size_t>(c)] = points[firstProduct + c].data(); }
         const bool complete = gradients_ == D * D;
-        const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(inputs.size());
-#pragma omp parallel for schedule(static)
+        const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(points.size());
+#pragma omp parallel for simd schedule(static)
         for (std::ptrdiff_t i = 0; i < size; ++i)
         {
+            std::array<double, D> u;
+            for (std::size_t j = 0; j < D; ++j) { u[j] = in[j][i]; }
             double trace = 0; // of the diagonal gradients but the last
             for (std::size_t c = 0; c < D; ++c)
             {
@@ -209,7 +210,7 @@ public:
                     const bool last = c == D - 1 && j == D - 1;
                     const double gradient = !last || complete ? in[D + c * D + j][i] : -trace;
                     if (c == j) { trace += gradient; }
-                    sum += in[j][i] * gradient;
+                    sum += u[j] * gradient;
                 }
                 out[c][i] = -sum;
             }
@@ -245,10 +246,11 @@ public:
         advective_.deriveInputs(span, inputs);
     }
 
-    void multiply(const RealField& inputs, RealField& products) const override
+    void multiply(RealField& points) const override
     {
-        advective_.multiply(inputs, products);
-        divergence_.multiply(inputs, products);
+        // At every point a gradient is read before something is written in its place.
+        advective_.write(points, divergence_.products());
+        divergence_.multiply(points);
     }
 
     void rate(const ModeSpan& span, const SpectralField& products, double scale,
@@ -257,7 +259,7 @@ public:
         divergence_.rate(span, products, scale, rate);
         for (int c = 0; c < D; ++c)
         {
-            const Complex* advective = products[c].data() + span.first;
+            const Complex* advective = products[divergence_.products() + c].data() + span.first;
             Complex* out = rate[static_cast<std::size_t>(c)];
             for (std::size_t i = 0; i < span.length; ++i) { out[i] = 0.5 * (out[i] + scale * advective[i]); }
         }
@@ -265,7 +267,7 @@ public:
 
 private:
     AdvectiveForm<D> advective_;
-    DivergenceForm<D> divergence_{D}; // its products lie behind the advective ones
+    DivergenceForm<D> divergence_; // its products come first
 };
 
 template<int D>
@@ -273,11 +275,16 @@ std::unique_ptr<Convection> make(ConvectionForm form, bool continuity)
 {
     switch (form)
     {
-    case ConvectionForm::divergence: return std::make_unique<DivergenceForm<D>>();
-    case ConvectionForm::rotational: return std::make_unique<RotationalForm<D>>();
-    case ConvectionForm::advective: return std::make_unique<AdvectiveForm<D>>(continuity);
-    case ConvectionForm::skewSymmetric: return std::make_unique<SkewSymmetricForm<D>>(continuity);
-    case ConvectionForm::none: break;
+    case ConvectionForm::divergence:
+        return std::make_unique<DivergenceForm<D>>();
+    case ConvectionForm::rotational:
+        return std::make_unique<RotationalForm<D>>();
+    case ConvectionForm::advective:
+        return std::make_unique<AdvectiveForm<D>>(continuity);
+    case ConvectionForm::skewSymmetric:
+        return std::make_unique<SkewSymmetricForm<D>>(continuity);
+    case ConvectionForm::none:
+        break;
     }
     return nullptr;
 }

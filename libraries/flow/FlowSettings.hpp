@@ -5,8 +5,8 @@
 #include "operators/LaplacianForm.hpp"
 #include "poisson/eigenvalues.hpp"
 #include "schemes/TimeScheme.hpp"
-#include "spectral/SpectralFilter.hpp"
 #include "spectral/dealiasing.hpp"
+#include "spectral/SpectralFilter.hpp"
 
 namespace isph
 {

@@ -23,7 +23,7 @@ public:
 /// What flows.
 struct Fluid
 {
-    double nu = 0; ///< kinematic viscosity [m2/s]; 0: inviscid
+    double nu = 0;                            ///< kinematic viscosity [m2/s]; 0: inviscid
     std::optional<double> rho = std::nullopt; ///< density [kg/m3], for pressures in Pa
     std::unique_ptr<const BodyForce> bodyForce = nullptr;
 };

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "fields/Field.hpp"
 #include "fieldStore/FieldReader.hpp"
 #include "fieldStore/FieldWriter.hpp"
-#include "fields/Field.hpp"
 #include "schemes/IncompressibleSystem.hpp"
 #include "schemes/stabilityLimits.hpp"
 

@@ -6,7 +6,10 @@ namespace isph
 {
 
 OutputPressure::OutputPressure(const Lattice& lattice)
-    : rows_(lattice), transform_(lattice, 1), real_(1, lattice.points()), modes_(1, transform_.modes()),
+    : rows_(lattice),
+      transform_(lattice, 1),
+      real_(1, lattice.points()),
+      modes_(1, transform_.modes()),
       sum_(1, transform_.modes())
 {
 }
@@ -36,9 +39,9 @@ void OutputPressure::evaluate(const RealField& velocity, const RealField* force,
         }
     };
 
-    for (int a = 0; a < velocity.components(); ++a)
+    for (int a = 0; a < rows_.dimensions(); ++a)
     {
-        for (int b = a; b < velocity.components(); ++b)
+        for (int b = a; b < rows_.dimensions(); ++b)
         {
             std::ranges::transform(velocity[a], velocity[b], real_[0].begin(), std::multiplies{});
             const double twice = a == b ? 1 : 2;
@@ -47,12 +50,12 @@ void OutputPressure::evaluate(const RealField& velocity, const RealField* force,
                          { return (-twice * (k[a] / k2) * k[b]) * c; });
         }
     }
-    for (int a = 0; force != nullptr && a < velocity.components(); ++a)
+    for (int a = 0; force != nullptr && a < rows_.dimensions(); ++a)
     {
         std::ranges::copy((*force)[a], real_[0].begin());
-        addTransform([a = static_cast<std::size_t>(a)](const std::array<double, 3>& k, double k2,
-                                                       const std::complex<double>& c)
-                     { return std::complex<double>(k[a] / k2 * c.imag(), -k[a] / k2 * c.real()); });
+        addTransform(
+            [a = static_cast<std::size_t>(a)](const std::array<double, 3>& k, double k2, const std::complex<double>& c)
+            { return std::complex<double>(k[a] / k2 * c.imag(), -k[a] / k2 * c.real()); });
     }
 
     transform_.backward(sum_, pressure);

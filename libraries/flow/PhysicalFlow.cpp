@@ -34,7 +34,8 @@ void requireSampled(const FlowSettings& settings)
     { throw Error(Fault::input, "operators directSum: " + what, advice); };
     if (settings.kernel.symbol != KernelSettings::Symbol::sampled)
     {
-        refuse("a sum over neighbours needs a sampled kernel", "write symbol sampled; in kernel, or operators spectral;");
+        refuse("a sum over neighbours needs a sampled kernel",
+               "write symbol sampled; in kernel, or operators spectral;");
     }
     if (settings.laplacian == LaplacianForm::exact)
     {
@@ -51,7 +52,10 @@ void requireSampled(const FlowSettings& settings)
 } // namespace
 
 PhysicalFlow::PhysicalFlow(const Lattice& lattice, const Fluid& fluid, const FlowSettings& settings, Timings& timings)
-    : lattice_(lattice), fluid_(fluid), settings_((requireSampled(settings), settings)), timings_(timings),
+    : lattice_(lattice),
+      fluid_(fluid),
+      settings_((requireSampled(settings), settings)),
+      timings_(timings),
       derivative_(
           [&]
           {
@@ -74,7 +78,7 @@ PhysicalFlow::PhysicalFlow(const Lattice& lattice, const Fluid& fluid, const Flo
         morris = laplacianSymbol(lattice, settings_.kernel, LaplacianForm::morris, &morrisSamples);
     }
     poisson_.emplace(lattice, invertedEigenvalues(derivative_.rows(), poissonEigenvalues(lattice, settings_.eigenvalues,
-                                                                                          derivative_, morris)));
+                                                                                         derivative_, morris)));
     operators_ = std::make_unique<DirectSumOperators>(lattice, std::move(samples));
 
     velocity_ = RealField(dimensions, points);
@@ -97,8 +101,8 @@ PhysicalFlow::PhysicalFlow(const Lattice& lattice, const Fluid& fluid, const Flo
 StartReport PhysicalFlow::start(const RealField& velocity, bool project)
 {
     SpectralField modes(lattice_.dimensions(), derivative_.rows().modes());
-    const StartReport report = startVelocity(lattice_, derivative_, RetainedModes(lattice_, Dealiasing::none), velocity,
-                                             project, modes);
+    const StartReport report =
+        startVelocity(lattice_, derivative_, RetainedModes(lattice_, Dealiasing::none), velocity, project, modes);
     FourierTransform(lattice_, lattice_.dimensions()).backward(modes, velocity_);
     return report;
 }

@@ -110,7 +110,10 @@ void RunReport::print(Log& log, const TimeControl& control, const Timings& timin
     }
     for (const ReportedError& error : errors)
     {
-        if (error.norm == "relL2") { log.line(fmt::format("Relative L2 error of {}: {:.4e}", error.field, error.value)); }
+        if (error.norm == "relL2")
+        {
+            log.line(fmt::format("Relative L2 error of {}: {:.4e}", error.field, error.value));
+        }
     }
 }
 

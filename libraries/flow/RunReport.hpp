@@ -20,7 +20,8 @@ struct ReportedError
     double value;
 };
 
-/// What a run was and what it cost: the table at the end of the log, and postProcessing/report.json (contract, section 6).
+/// What a run was and what it cost: the table at the end of the log, and postProcessing/report.json (contract, section
+/// 6).
 struct RunReport
 {
     static constexpr int schema = 1;

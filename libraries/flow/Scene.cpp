@@ -1,16 +1,17 @@
 #include "flow/Scene.hpp"
 
 #include "flow/PhysicalFlow.hpp"
-#include "flow/SpectralFlow.hpp"
 #include "flow/readFlowSettings.hpp"
 #include "flow/readFluid.hpp"
+#include "flow/SpectralFlow.hpp"
 #include "lattice/readLattice.hpp"
 
 namespace isph
 {
 
 Scene::Scene(const Case& flowCase, const std::string& time)
-    : lattice(readLattice(flowCase.dictionary("constant/lattice"))), fluid(readFluid(flowCase, lattice)),
+    : lattice(readLattice(flowCase.dictionary("constant/lattice"))),
+      fluid(readFluid(flowCase, lattice)),
       settings(readFlowSettings(flowCase.dictionary("system/schemes"), flowCase.dictionary("system/solution"), lattice,
                                 fluid)),
       files(readFlowFiles(flowCase, time, lattice, fluid))

@@ -2,6 +2,7 @@
 
 #include "fields/reductions.hpp"
 #include "flow/convectiveRates.hpp"
+#include "flow/modeLoops.hpp"
 #include "flow/sceneSymbols.hpp"
 #include "flow/startVelocity.hpp"
 
@@ -18,24 +19,16 @@ namespace
 
 using Complex = std::complex<double>;
 
-/// values *= factor along a stretch, without the checks for infinities that complex multiplication makes.
-void multiply(Complex* values, const Complex* first, Complex ofRow, std::size_t length)
-{
-    for (std::size_t i = 0; i < length; ++i)
-    {
-        const double re = first[i].real() * ofRow.real() - first[i].imag() * ofRow.imag();
-        const double im = first[i].real() * ofRow.imag() + first[i].imag() * ofRow.real();
-        const Complex value = values[i];
-        values[i] = {value.real() * re - value.imag() * im, value.real() * im + value.imag() * re};
-    }
-}
-
 } // namespace
 
 SpectralFlow::SpectralFlow(const Lattice& lattice, const Fluid& fluid, const FlowSettings& settings, Timings& timings,
                            PlanEffort effort)
-    : lattice_(lattice), fluid_(fluid), settings_(settings), timings_(timings),
-      derivative_(derivativeOf(lattice, settings_.kernel)), retained_(lattice, settings_.dealiasing)
+    : lattice_(lattice),
+      fluid_(fluid),
+      settings_(settings),
+      timings_(timings),
+      derivative_(derivativeOf(lattice, settings_.kernel)),
+      retained_(lattice, settings_.dealiasing)
 {
     const int dimensions = lattice.dimensions();
     const ModeRows& rows = derivative_.rows();
@@ -78,8 +71,7 @@ SpectralFlow::SpectralFlow(const Lattice& lattice, const Fluid& fluid, const Flo
         productTransform_.emplace(lattice, convection_->products(), effort);
         inputModes_ = SpectralField(convection_->inputs(), rows.modes());
         productModes_ = SpectralField(convection_->products(), rows.modes());
-        inputs_ = RealField(convection_->inputs(), lattice.points());
-        products_ = RealField(convection_->products(), lattice.points());
+        points_ = RealField(std::max(convection_->inputs(), convection_->products()), lattice.points());
         if (settings_.exactMeanFlow) { meanFlowFactors_.emplace(rows, *settings_.time); }
     }
     if (fluid_.bodyForce)
@@ -197,7 +189,7 @@ void SpectralFlow::ensureInputs()
         gatherInputs();
     }
     const auto scope = timings_.scope(Phase::transforms);
-    inputTransform_->backward(inputModes_, inputs_);
+    inputTransform_->backward(inputModes_, points_);
     inputModesReady_ = false; // the transform uses its input as scratch
     inputsReady_ = true;
 }
@@ -218,7 +210,7 @@ StepRates SpectralFlow::rates()
     }
     ensureInputs();
     const auto scope = timings_.scope(Phase::pointwise);
-    addConvectiveRates(lattice_, inputs_, bounds_, fluid_.nu, rates);
+    addConvectiveRates(lattice_, points_, bounds_, fluid_.nu, rates);
     return rates;
 }
 
@@ -241,20 +233,17 @@ void SpectralFlow::advance(const Substep& substep, double t, double dt)
         ensureInputs();
         {
             const auto scope = timings_.scope(Phase::pointwise);
-            convection_->multiply(inputs_, products_);
+            convection_->multiply(points_);
         }
         const auto scope = timings_.scope(Phase::transforms);
-        productTransform_->forward(products_, productModes_);
+        productTransform_->forward(points_, productModes_);
     }
     updateForce(t + substep.start * dt);
 
     const auto scope = timings_.scope(Phase::pointwise);
     if (viscousFactors_) { viscousFactors_->setStep(dt); }
     if (meanFlowFactors_) { meanFlowFactors_->set(mean_, dt); }
-    if (substep.first && settings_.incremental)
-    {
-        std::ranges::copy(pressureModes_[0], pressureBefore_[0].begin());
-    }
+    if (substep.first && settings_.incremental) { std::ranges::copy(pressureModes_[0], pressureBefore_[0].begin()); }
 
     // The first substep writes beside the state, so that the step can be taken back.
     if (substep.first) { std::swap(state_, before_); }
@@ -288,65 +277,50 @@ void SpectralFlow::advanceStretch(std::size_t row, std::size_t begin, std::size_
     const std::size_t first = derivative_.rows().offset(row) + begin;
     const std::size_t length = end - begin;
     alignas(64) double d[3][stretch];
-    alignas(64) double k[3][stretch];
-    alignas(64) Complex rate[3][stretch];
-    alignas(64) Complex value[3][stretch];
+    // Pairs of doubles: an array of complex numbers would be set to zero first.
+    alignas(64) double rateStore[3][2 * stretch];
+    alignas(64) double valueStore[3][2 * stretch];
+    const auto complexes = [](double* pairs) { return reinterpret_cast<Complex*>(pairs); };
+    const std::array<Complex*, 3> rate{complexes(rateStore[0]), complexes(rateStore[1]), complexes(rateStore[2])};
+    const std::array<Complex*, 3> value{complexes(valueStore[0]), complexes(valueStore[1]), complexes(valueStore[2])};
     derivative_.row(row, begin, end, {d[0], d[1], d[2]});
     const ModeSpan span{first, length, {d[0], d[1], d[2]}};
 
     // Rate: convection, force, and the viscous term where it is explicit.
     const double scale = 1.0 / static_cast<double>(lattice_.points());
-    if (convection_) { convection_->rate(span, productModes_, scale, {rate[0], rate[1], rate[2]}); }
-    for (int c = 0; c < dimensions; ++c)
+    if (convection_) { convection_->rate(span, productModes_, scale, rate); }
+    for (std::size_t c = 0; c < static_cast<std::size_t>(dimensions); ++c)
     {
         if (!convection_) { std::fill_n(rate[c], length, Complex(0)); }
         if (fluid_.bodyForce)
         {
-            const Complex* force = forceModes_[c].data() + first;
+            const Complex* force = forceModes_[static_cast<int>(c)].data() + first;
             for (std::size_t i = 0; i < length; ++i) { rate[c][i] += scale * force[i]; }
         }
         if (!viscousSymbol_.empty() && !viscousFactors_)
         {
-            const Complex* u = from[c].data() + first;
+            const Complex* u = from[static_cast<int>(c)].data() + first;
             const double* lambda = viscousSymbol_.data() + first;
             for (std::size_t i = 0; i < length; ++i) { rate[c][i] -= lambda[i] * u[i]; }
         }
     }
 
     // Predictor: u* = E (u + dt (g F + z F_before)).
-    for (int c = 0; c < dimensions; ++c)
+    Prediction prediction{.now = dt * substep.g,
+                          .before = dt * substep.z,
+                          .lessOne = nullptr,
+                          .first = substep.first,
+                          .last = substep.last};
+    if (viscousFactors_) { prediction.lessOne = viscousFactors_->lessOne(substep).data() + first; }
+    const bool meanFlow = meanFlowFactors_ && meanFlowFactors_->active();
+    for (std::size_t c = 0; c < static_cast<std::size_t>(dimensions); ++c)
     {
-        const Complex* u = from[c].data() + first;
-        Complex* carried = rate_[c].data() + first;
-        const double now = dt * substep.g;
-        const double before = dt * substep.z;
-        if (substep.first)
-        {
-            for (std::size_t i = 0; i < length; ++i) { value[c][i] = u[i] + now * rate[c][i]; }
-        }
-        else
-        {
-            for (std::size_t i = 0; i < length; ++i)
-            {
-                value[c][i] = u[i] + now * rate[c][i] + before * carried[i];
-            }
-        }
-        if (viscousFactors_)
-        {
-            const double* lessOne = viscousFactors_->lessOne(substep).data() + first;
-            for (std::size_t i = 0; i < length; ++i) { value[c][i] += lessOne[i] * value[c][i]; }
-            if (!substep.last)
-            {
-                for (std::size_t i = 0; i < length; ++i) { rate[c][i] += lessOne[i] * rate[c][i]; }
-            }
-        }
-        if (meanFlowFactors_ && meanFlowFactors_->active())
-        {
-            const Complex ofRow = meanFlowFactors_->ofRow(substep, row);
-            multiply(value[c], meanFlowFactors_->first(substep) + begin, ofRow, length);
-            if (!substep.last) { multiply(rate[c], meanFlowFactors_->first(substep) + begin, ofRow, length); }
-        }
-        if (!substep.last) { std::copy_n(rate[c], length, carried); }
+        Complex* carried = rate_[static_cast<int>(c)].data() + first;
+        predict(prediction, from[static_cast<int>(c)].data() + first, rate[c], carried, value[c], length);
+        if (!meanFlow) { continue; }
+        const Complex ofRow = meanFlowFactors_->ofRow(substep, row);
+        multiplyByPhase(value[c], meanFlowFactors_->first(substep) + begin, ofRow, length);
+        if (!substep.last) { multiplyByPhase(carried, meanFlowFactors_->first(substep) + begin, ofRow, length); }
     }
 
     // Projection: u = u* - d (d . u*)/L, along k where that is the same.
@@ -354,7 +328,7 @@ void SpectralFlow::advanceStretch(std::size_t row, std::size_t begin, std::size_
     if (settings_.incremental)
     {
         const Complex* p = pressureModes_[0].data() + first;
-        for (int c = 0; c < dimensions; ++c)
+        for (std::size_t c = 0; c < static_cast<std::size_t>(dimensions); ++c)
         {
             for (std::size_t i = 0; i < length; ++i)
             {
@@ -363,26 +337,20 @@ void SpectralFlow::advanceStretch(std::size_t row, std::size_t begin, std::size_
             }
         }
     }
-    auto& along = projectAlongWavevector_ ? k : d;
-    if (projectAlongWavevector_) { derivative_.wavevectorRow(row, begin, end, {k[0], k[1], k[2]}); }
-    const double* inverse = inverse_.data() + first;
-    for (std::size_t i = 0; i < length; ++i)
+    if (projectAlongWavevector_) { derivative_.wavevectorRow(row, begin, end, {d[0], d[1], d[2]}); }
+    Complex* multiplier = settings_.incremental ? rate[0] : nullptr; // the rate was used up
+    project({d[0], d[1], d[2]}, inverse_.data() + first, dimensions, value, multiplier, length);
+    if (settings_.incremental)
     {
-        Complex divergence = along[0][i] * value[0][i] + along[1][i] * value[1][i];
-        if (dimensions == 3) { divergence += along[2][i] * value[2][i]; }
-        divergence *= inverse[i];
-        value[0][i] -= along[0][i] * divergence;
-        value[1][i] -= along[1][i] * divergence;
-        if (dimensions == 3) { value[2][i] -= along[2][i] * divergence; }
-        if (settings_.incremental)
+        // phi = -i (d . u*)/(L a dt) is what the pressure lacked.
+        Complex* p = pressureModes_[0].data() + first;
+        for (std::size_t i = 0; i < length; ++i)
         {
-            // phi = -i (d . u*)/(L a dt) is what the pressure lacked.
-            Complex& p = pressureModes_[0][first + i];
-            p += Complex(divergence.imag(), -divergence.real()) / period;
+            p[i] += Complex(multiplier[i].imag(), -multiplier[i].real()) / period;
         }
     }
 
-    for (int c = 0; c < dimensions; ++c)
+    for (std::size_t c = 0; c < static_cast<std::size_t>(dimensions); ++c)
     {
         if (substep.last && !filterFactors_[0].empty())
         {
@@ -392,13 +360,19 @@ void SpectralFlow::advanceStretch(std::size_t row, std::size_t begin, std::size_
             {
                 ofRow *= filterFactors_[static_cast<std::size_t>(axis)][rows.index(row, axis)];
             }
-            const double* sigma = filterFactors_[0].data() + begin;
-            for (std::size_t i = 0; i < length; ++i) { value[c][i] *= ofRow * sigma[i]; }
+            multiplyByFactors(value[c], filterFactors_[0].data() + begin, ofRow, length);
         }
-        std::copy_n(value[c], length, to[c].data() + first);
-        if (convection_) { std::copy_n(value[c], length, inputModes_[c].data() + first); }
+        std::copy_n(value[c], length, to[static_cast<int>(c)].data() + first);
+        if (convection_) { std::copy_n(value[c], length, inputModes_[static_cast<int>(c)].data() + first); }
     }
-    if (convection_) { convection_->deriveInputs(span, inputModes_); }
+    if (convection_)
+    {
+        if (projectAlongWavevector_ && convection_->inputs() > dimensions)
+        {
+            derivative_.row(row, begin, end, {d[0], d[1], d[2]});
+        }
+        convection_->deriveInputs(span, inputModes_);
+    }
 }
 
 const RealField& SpectralFlow::velocity()
@@ -416,7 +390,7 @@ const RealField& SpectralFlow::velocity()
     for (int c = 0; c < dimensions; ++c)
     {
         const double mean = mean_[static_cast<std::size_t>(c)];
-        std::ranges::transform(inputs_[c], velocity_[c].begin(), [mean](double u) { return u + mean; });
+        std::ranges::transform(points_[c], velocity_[c].begin(), [mean](double u) { return u + mean; });
     }
     return velocity_;
 }
@@ -429,7 +403,7 @@ const RealField& SpectralFlow::pressure(double t)
         pressure_ = RealField(1, lattice_.points());
     }
     if (fluid_.bodyForce) { fluid_.bodyForce->evaluate(t, force_); }
-    const RealField& u = convection_ ? (ensureInputs(), inputs_) : velocity();
+    const RealField& u = convection_ ? (ensureInputs(), points_) : velocity();
     if (!convection_)
     {
         // No convection: the pressure balances the force alone.

@@ -16,7 +16,8 @@ namespace isph
 /// Pseudo-spectral ISPH in a periodic box (Fourtakas et al. 2021): the velocity lives in Fourier space, where kernels,
 /// viscosity, projection and filter are diagonal; only the products of the convective term are formed at the points.
 ///
-/// Everything after the products' transform is one pass over the modes, in stretches that stay in the first-level cache.
+/// Everything after the products' transform is one pass over the modes, in stretches that stay in the first-level
+/// cache.
 class SpectralFlow : public IncompressibleFlow
 {
 public:
@@ -75,15 +76,14 @@ private:
     std::optional<MeanFlowFactors> meanFlowFactors_;
 
     SpectralField state_;
-    SpectralField before_;   ///< the state before the last step
-    SpectralField rate_;     ///< carried from substep to substep
+    SpectralField before_; ///< the state before the last step
+    SpectralField rate_;   ///< carried from substep to substep
     SpectralField inputModes_;
     SpectralField productModes_;
     SpectralField forceModes_;
     SpectralField pressureModes_; ///< incremental coupling
     SpectralField pressureBefore_;
-    RealField inputs_;
-    RealField products_;
+    RealField points_; ///< inputs of the convective term, then its products in their place
     RealField force_;
     Direction mean_{0, 0, 0}; ///< carried exactly; zero where that is switched off
 

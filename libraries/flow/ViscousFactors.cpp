@@ -33,7 +33,8 @@ ViscousFactors::ViscousFactors(std::span<const double> symbol, const TimeScheme&
 {
     for (const Substep& substep : scheme.substeps)
     {
-        const bool known = std::ranges::any_of(tables_, [&](const Table& t) { return t.numerator == substep.numerator; });
+        const bool known =
+            std::ranges::any_of(tables_, [&](const Table& t) { return t.numerator == substep.numerator; });
         if (!known) { tables_.push_back({substep.numerator, AlignedVector<double>(symbol.size())}); }
     }
 }

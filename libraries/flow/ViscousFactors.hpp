@@ -14,8 +14,8 @@ namespace isph
 
 /// The integrating factor of the viscous term, exp(-a nu L dt) for every substep a of a scheme.
 ///
-/// Kept as exp(...) - 1: near 1 a stored factor would carry the same rounding into every step, and a thousand steps would
-/// add them up. One expm1 a mode; the substeps' factors are integer powers of it.
+/// Kept as exp(...) - 1: near 1 a stored factor would carry the same rounding into every step, and a thousand steps
+/// would add them up. One expm1 a mode; the substeps' factors are integer powers of it.
 class ViscousFactors
 {
 public:

@@ -1,5 +1,6 @@
 #include "flow/convectiveRates.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -26,23 +27,42 @@ Largest scan(const RealField& velocity, std::size_t begin, std::size_t end, cons
     Largest largest;
     std::array<const double*, D> u{};
     for (int d = 0; d < D; ++d) { u[static_cast<std::size_t>(d)] = velocity[d].data(); }
-    for (std::size_t i = begin; i < end; ++i)
+    // Independent lanes: one maximum would have to wait for the one before at every point.
+    constexpr std::size_t lanes = 8;
+    std::array<double, lanes> courants{};
+    std::array<double, lanes> sums{};
+    std::array<double, lanes> axes{};
+    std::array<double, lanes> speeds2{};
+    const auto visit = [&](std::size_t i, std::size_t lane)
     {
         double courant = 0;
-        double axes = 0;
+        double ofAxes = 0;
         double speed2 = 0;
         for (std::size_t d = 0; d < D; ++d)
         {
             const double magnitude = std::abs(u[d][i]);
             courant += magnitude * perSpacing[d];
-            axes += magnitude * derivative[d];
+            ofAxes += magnitude * derivative[d];
             speed2 += magnitude * magnitude;
         }
-        // A maximum would pass over a NaN; the sum below does not.
-        largest.courant = courant > largest.courant ? courant : largest.courant;
-        largest.axes = axes > largest.axes ? axes : largest.axes;
-        largest.speed2 = speed2 > largest.speed2 ? speed2 : largest.speed2;
-        largest.sumOfCourants += courant;
+        // A maximum would pass over a NaN; the sum does not.
+        courants[lane] = courant > courants[lane] ? courant : courants[lane];
+        axes[lane] = ofAxes > axes[lane] ? ofAxes : axes[lane];
+        speeds2[lane] = speed2 > speeds2[lane] ? speed2 : speeds2[lane];
+        sums[lane] += courant;
+    };
+    const std::size_t whole = begin + (end - begin) / lanes * lanes;
+    for (std::size_t i = begin; i < whole; i += lanes)
+    {
+        for (std::size_t lane = 0; lane < lanes; ++lane) { visit(i + lane, lane); }
+    }
+    for (std::size_t i = whole; i < end; ++i) { visit(i, i - whole); }
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+    {
+        largest.courant = std::max(largest.courant, courants[lane]);
+        largest.axes = std::max(largest.axes, axes[lane]);
+        largest.speed2 = std::max(largest.speed2, speeds2[lane]);
+        largest.sumOfCourants += sums[lane];
     }
     return largest;
 }

@@ -25,8 +25,10 @@ std::string describeFilter(const FilterSettings& filter)
     {
     case FilterSettings::Type::exponential:
         return fmt::format("exponential, strength {}, order {}", filter.strength, filter.order);
-    case FilterSettings::Type::cutoff: return fmt::format("cutoff, fraction {}", filter.fraction);
-    case FilterSettings::Type::none: break;
+    case FilterSettings::Type::cutoff:
+        return fmt::format("cutoff, fraction {}", filter.fraction);
+    case FilterSettings::Type::none:
+        break;
     }
     return "none";
 }
@@ -65,7 +67,9 @@ SceneDescription describeScene(const Lattice& lattice, const Fluid& fluid, const
                      {"convection", std::string(convectionForms().nameOf(settings.convection))},
                      {"laplacian", viscous ? std::string(laplacians().nameOf(settings.laplacian)) : "none"},
                      {"time", std::string(time)},
-                     {"viscous", !viscous ? "none" : settings.integratingFactor ? "integratingFactor" : "explicit"},
+                     {"viscous", !viscous                     ? "none"
+                                 : settings.integratingFactor ? "integratingFactor"
+                                                              : "explicit"},
                      {"meanFlow", settings.exactMeanFlow ? "exact" : "none"},
                      {"dealiasing", std::string(dealiasings().nameOf(settings.dealiasing))},
                      {"filter", describeFilter(settings.filter)},

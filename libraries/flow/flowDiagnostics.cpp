@@ -41,8 +41,10 @@ double sumOfSquaresOfVectors(const RealField& field)
 } // namespace
 
 FlowDiagnostics::FlowDiagnostics(const Lattice& lattice)
-    : lattice_(lattice), operators_(lattice, exactDerivative(lattice), {}),
-      vorticity_(lattice.dimensions() == 2 ? 1 : 3, lattice.points()), gradient_(lattice.dimensions(), lattice.points())
+    : lattice_(lattice),
+      operators_(lattice, exactDerivative(lattice), {}),
+      vorticity_(lattice.dimensions() == 2 ? 1 : 3, lattice.points()),
+      gradient_(lattice.dimensions(), lattice.points())
 {
 }
 

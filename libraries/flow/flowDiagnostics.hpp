@@ -19,8 +19,8 @@ struct FlowStatistics
     double divLinf;       ///< its largest magnitude
 };
 
-/// Computes statistics on a periodic lattice, with exact derivatives for vorticity and its gradient, and the scheme's own
-/// for the divergence.
+/// Computes statistics on a periodic lattice, with exact derivatives for vorticity and its gradient, and the scheme's
+/// own for the divergence.
 class FlowDiagnostics
 {
 public:

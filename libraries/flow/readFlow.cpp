@@ -26,12 +26,11 @@ constexpr Dimensions pascal{1, -1, -2, 0, 0, 0, 0};
 const Schema& fieldSchema()
 {
     using Type = Key::Type;
-    static const Schema schema("field", {{.name = "dimensions", .type = Type::any, .meaning = "exponents of kg m s K mol A cd",
-                                          .required = true},
-                                         {.name = "internalField", .type = Type::any, .meaning = "values in the box",
-                                          .required = true},
-                                         {.name = "boundaryField", .type = Type::any, .meaning = "a condition for each patch",
-                                          .required = true}});
+    static const Schema schema(
+        "field",
+        {{.name = "dimensions", .type = Type::any, .meaning = "exponents of kg m s K mol A cd", .required = true},
+         {.name = "internalField", .type = Type::any, .meaning = "values in the box", .required = true},
+         {.name = "boundaryField", .type = Type::any, .meaning = "a condition for each patch", .required = true}});
     return schema;
 }
 
@@ -40,7 +39,8 @@ void checkBoundary(const Dictionary& field, const Lattice& lattice)
 {
     if (!field.hasDictionary("boundaryField"))
     {
-        throw field.error("boundaryField", "is not a dictionary", "write boundaryField { ... } with an entry for each patch");
+        throw field.error("boundaryField", "is not a dictionary",
+                          "write boundaryField { ... } with an entry for each patch");
     }
     const Dictionary& boundary = field.dictionary("boundaryField");
     std::vector<std::string> names;
@@ -82,30 +82,40 @@ Dictionary readFieldFile(const Case& flowCase, const std::string& time, const st
 
 } // namespace
 
+Dictionary readVelocityFile(const Case& flowCase, const std::string& time, const Lattice& lattice)
+{
+    Dictionary U = readFieldFile(flowCase, time, "U", lattice);
+    if (U.dimensions("dimensions") != velocityDimensions)
+    {
+        throw U.error("dimensions", "are not those of a velocity", "write [0 1 -1 0 0 0 0]");
+    }
+    return U;
+}
+
+Dictionary readPressureFile(const Case& flowCase, const std::string& time, const Lattice& lattice, const Fluid& fluid)
+{
+    Dictionary p = readFieldFile(flowCase, time, "p", lattice);
+    const Dimensions dimensions = p.dimensions("dimensions");
+    if (dimensions != kinematicPressure && dimensions != pascal)
+    {
+        throw p.error("dimensions", "are not those of a pressure",
+                      "write [0 2 -2 0 0 0 0] for kinematic pressure or [1 -1 -2 0 0 0 0] for Pa");
+    }
+    if (dimensions == pascal && !fluid.rho)
+    {
+        throw p.error("dimensions", "ask for a pressure in Pa, but there is no density",
+                      "add rho [1 -3 0 0 0 0 0] ...; to constant/transportProperties");
+    }
+    return p;
+}
+
 FlowFiles readFlowFiles(const Case& flowCase, const std::string& time, const Lattice& lattice, const Fluid& fluid)
 {
     FlowFiles files;
-    files.U = readFieldFile(flowCase, time, "U", lattice);
-    if (files.U.dimensions("dimensions") != velocityDimensions)
-    {
-        throw files.U.error("dimensions", "are not those of a velocity", "write [0 1 -1 0 0 0 0]");
-    }
-    files.p = readFieldFile(flowCase, time, "p", lattice);
+    files.U = readVelocityFile(flowCase, time, lattice);
+    files.p = readPressureFile(flowCase, time, lattice, fluid);
     const Dimensions dimensions = files.p.dimensions("dimensions");
-    if (dimensions != kinematicPressure && dimensions != pascal)
-    {
-        throw files.p.error("dimensions", "are not those of a pressure",
-                            "write [0 2 -2 0 0 0 0] for kinematic pressure or [1 -1 -2 0 0 0 0] for Pa");
-    }
-    if (dimensions == pascal)
-    {
-        if (!fluid.rho)
-        {
-            throw files.p.error("dimensions", "ask for a pressure in Pa, but there is no density",
-                                "add rho [1 -3 0 0 0 0 0] ...; to constant/transportProperties");
-        }
-        files.pressureScale = *fluid.rho;
-    }
+    if (dimensions == pascal) { files.pressureScale = *fluid.rho; }
     files.pressureUnit = unitOf(dimensions);
     return files;
 }
@@ -123,7 +133,8 @@ StartReport readFlow(const Case& flowCase, const std::string& time, bool restart
         }
     }
     FieldsOfTime fields(flowCase, time);
-    // The pressure follows from the velocity; its values are read so that a slip in them does not wait for another program.
+    // The pressure follows from the velocity; its values are read so that a slip in them does not wait for another
+    // program.
     fields.read("p", scene.lattice);
     return flow.start(fields.read("U", scene.lattice), scene.settings.initialProjection && !restart);
 }

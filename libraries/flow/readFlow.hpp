@@ -22,14 +22,18 @@ struct FlowFiles
     std::string pressureUnit = "m2/s2"; ///< or Pa, by the dimensions of p
 };
 
-/// Reads the dictionaries of U and p in a time folder and checks dimensions and boundary conditions against the lattice.
-/// \throws Error(input) with file and line: an unknown patch, a patch without condition, a type that does not fit, ...
-FlowFiles readFlowFiles(const Case& flowCase, const std::string& time, const Lattice& lattice,
-                        const Fluid& fluid);
+/// Reads the dictionary of U, or of p, in a time folder and checks dimensions and boundary conditions.
+/// \throws Error(input) with file and line.
+Dictionary readVelocityFile(const Case& flowCase, const std::string& time, const Lattice& lattice);
+Dictionary readPressureFile(const Case& flowCase, const std::string& time, const Lattice& lattice, const Fluid& fluid);
 
-/// Brings the flow into the state of a time folder: the marching state where the solver wrote one for this kind of flow,
-/// else the velocity of the field U, projected if asked for.
-/// \param restart whether the solver wrote the folder
+/// Reads the dictionaries of U and p in a time folder and checks dimensions and boundary conditions against the
+/// lattice. \throws Error(input) with file and line: an unknown patch, a patch without condition, a type that does not
+/// fit, ...
+FlowFiles readFlowFiles(const Case& flowCase, const std::string& time, const Lattice& lattice, const Fluid& fluid);
+
+/// Brings the flow into the state of a time folder: the marching state where the solver wrote one for this kind of
+/// flow, else the velocity of the field U, projected if asked for. \param restart whether the solver wrote the folder
 StartReport readFlow(const Case& flowCase, const std::string& time, bool restart, const Scene& scene,
                      IncompressibleFlow& flow);
 

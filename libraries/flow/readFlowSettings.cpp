@@ -22,6 +22,7 @@ meanFlow none;
 dealiasing none;
 )";
 constexpr std::string_view paper2021Solution = "p { solver fft; eigenvalues exact; } coupling { type nonIncremental; }";
+constexpr const char* presetOrigin = "preset paper2021";
 
 bool wrote(const Dictionary& dictionary, std::string_view key)
 {
@@ -66,29 +67,64 @@ const Schema& schemesSchema()
     using Type = Key::Type;
     static const Schema schema(
         "schemes",
-        {{.name = "preset", .type = Type::word, .meaning = "configuration of a paper; entries override it",
+        {{.name = "preset",
+          .type = Type::word,
+          .meaning = "configuration of a paper; entries override it",
           .words = presets().names()},
          kernelKey("10"),
-         {.name = "operators", .type = Type::word, .fallback = "spectral",
-          .meaning = "spectral | directSum (neighbour summation)", .words = {"spectral", "directSum"}},
-         {.name = "convection", .type = Type::word, .fallback = "divergence", .meaning = "form of the convective term",
+         {.name = "operators",
+          .type = Type::word,
+          .fallback = "spectral",
+          .meaning = "spectral | directSum (neighbour summation)",
+          .words = {"spectral", "directSum"}},
+         {.name = "convection",
+          .type = Type::word,
+          .fallback = "divergence",
+          .meaning = "form of the convective term",
           .words = convectionForms().names()},
-         {.name = "laplacian", .type = Type::word, .fallback = "morris", .meaning = "the viscous operator",
+         {.name = "laplacian",
+          .type = Type::word,
+          .fallback = "morris",
+          .meaning = "the viscous operator",
           .words = laplacians().names()},
-         {.name = "time", .type = Type::word, .fallback = "RK3", .meaning = "time scheme", .words = timeSchemes().names()},
-         {.name = "viscous", .type = Type::word, .fallback = "auto", .meaning = "how the viscous term is marched",
+         {.name = "time",
+          .type = Type::word,
+          .fallback = "RK3",
+          .meaning = "time scheme",
+          .words = timeSchemes().names()},
+         {.name = "viscous",
+          .type = Type::word,
+          .fallback = "auto",
+          .meaning = "how the viscous term is marched",
           .words = viscousTreatments().names()},
-         {.name = "meanFlow", .type = Type::word, .fallback = "exact",
-          .meaning = "exact: a uniform mean velocity is carried exactly", .words = {"exact", "none"}},
-         {.name = "dealiasing", .type = Type::word, .fallback = "twoThirds", .meaning = "of quadratic products",
+         {.name = "meanFlow",
+          .type = Type::word,
+          .fallback = "exact",
+          .meaning = "exact: a uniform mean velocity is carried exactly",
+          .words = {"exact", "none"}},
+         {.name = "dealiasing",
+          .type = Type::word,
+          .fallback = "twoThirds",
+          .meaning = "of quadratic products",
           .words = dealiasings().names()},
-         {.name = "filter", .type = Type::dictionary, .meaning = "low-pass filter, once a step",
-          .keys = {{.name = "type", .type = Type::word, .fallback = "none", .meaning = "none | exponential | cutoff",
-                    .words = filters().names()},
-                   {.name = "strength", .type = Type::number, .fallback = "36", .meaning = "exponential", .minimum = 0},
-                   {.name = "order", .type = Type::number, .fallback = "16", .meaning = "exponential", .positive = true},
-                   {.name = "fraction", .type = Type::number, .unit = "Nyquist", .fallback = "0.66",
-                    .meaning = "cutoff: highest wavenumber kept", .maximum = 1, .positive = true}}},
+         {.name = "filter",
+          .type = Type::dictionary,
+          .meaning = "low-pass filter, once a step",
+          .keys =
+              {{.name = "type",
+                .type = Type::word,
+                .fallback = "none",
+                .meaning = "none | exponential | cutoff",
+                .words = filters().names()},
+               {.name = "strength", .type = Type::number, .fallback = "36", .meaning = "exponential", .minimum = 0},
+               {.name = "order", .type = Type::number, .fallback = "16", .meaning = "exponential", .positive = true},
+               {.name = "fraction",
+                .type = Type::number,
+                .unit = "Nyquist",
+                .fallback = "0.66",
+                .meaning = "cutoff: highest wavenumber kept",
+                .maximum = 1,
+                .positive = true}}},
          {.name = "continuation", .type = Type::any, .meaning = "used on bounded axes only"},
          {.name = "walls", .type = Type::word, .meaning = "used on bounded axes only"}});
     return schema;
@@ -99,21 +135,47 @@ const Schema& solutionSchema()
     using Type = Key::Type;
     static const Schema schema(
         "solution",
-        {{.name = "p", .type = Type::dictionary, .meaning = "pressure equation",
-          .keys = {{.name = "solver", .type = Type::word, .fallback = "fft", .meaning = "fft: by transforms",
+        {{.name = "p",
+          .type = Type::dictionary,
+          .meaning = "pressure equation",
+          .keys = {{.name = "solver",
+                    .type = Type::word,
+                    .fallback = "fft",
+                    .meaning = "fft: by transforms",
                     .words = {"fft"}},
-                   {.name = "eigenvalues", .type = Type::word, .fallback = "consistent",
-                    .meaning = "which Laplacian is inverted", .words = eigenvalueForms().names()},
+                   {.name = "eigenvalues",
+                    .type = Type::word,
+                    .fallback = "consistent",
+                    .meaning = "which Laplacian is inverted",
+                    .words = eigenvalueForms().names()},
                    {.name = "preconditioner", .type = Type::word, .meaning = "iterative solvers only"},
                    {.name = "tolerance", .type = Type::number, .meaning = "iterative solvers only", .positive = true},
                    {.name = "maxIter", .type = Type::integer, .meaning = "iterative solvers only", .minimum = 1}}},
-         {.name = "coupling", .type = Type::dictionary, .meaning = "pressure in the predictor",
-          .keys = {{.name = "type", .type = Type::word, .fallback = "nonIncremental",
+         {.name = "coupling",
+          .type = Type::dictionary,
+          .meaning = "pressure in the predictor",
+          .keys = {{.name = "type",
+                    .type = Type::word,
+                    .fallback = "nonIncremental",
                     .meaning = "incremental: the predictor knows the old pressure",
                     .words = {"nonIncremental", "incremental"}}}},
-         {.name = "initialProjection", .type = Type::flag, .fallback = "yes",
+         {.name = "initialProjection",
+          .type = Type::flag,
+          .fallback = "yes",
           .meaning = "project the velocity that a run starts from"}});
     return schema;
+}
+
+Dictionary completedSchemes(const Dictionary& schemes)
+{
+    if (schemes.has("preset")) { presets()[schemes.word("preset")]; }
+    return schemesSchema().complete(withPreset(schemes, schemes.has("preset") ? paper2021 : "", presetOrigin));
+}
+
+Dictionary completedSolution(const Dictionary& solution, const Dictionary& schemes)
+{
+    return solutionSchema().complete(
+        withPreset(solution, schemes.has("preset") ? paper2021Solution : "", presetOrigin));
 }
 
 FlowSettings readFlowSettings(const Dictionary& writtenSchemes, const Dictionary& writtenSolution,
@@ -124,12 +186,8 @@ FlowSettings readFlowSettings(const Dictionary& writtenSchemes, const Dictionary
         throw Error(Fault::input, "constant/lattice has a bounded axis, but this solver knows periodic boxes only",
                     "make every pair of faces a patch of type periodic in system/latticeDict");
     }
-    const bool preset = writtenSchemes.has("preset");
-    if (preset) { presets()[writtenSchemes.word("preset")]; }
-    const Dictionary schemes =
-        schemesSchema().complete(withPreset(writtenSchemes, preset ? paper2021 : "", "preset paper2021"));
-    const Dictionary solution =
-        solutionSchema().complete(withPreset(writtenSolution, preset ? paper2021Solution : "", "preset paper2021"));
+    const Dictionary schemes = completedSchemes(writtenSchemes);
+    const Dictionary solution = completedSolution(writtenSolution, writtenSchemes);
 
     FlowSettings settings;
     settings.kernel = selectKernel(schemes.dictionary("kernel"));
@@ -149,8 +207,8 @@ FlowSettings readFlowSettings(const Dictionary& writtenSchemes, const Dictionary
     const bool spectralDefault = !settings.directSum;
     settings.exactMeanFlow =
         schemes.word("meanFlow").text == "exact" && (spectralDefault || wrote(schemes, "meanFlow"));
-    settings.dealiasing = spectralDefault || wrote(schemes, "dealiasing") ? dealiasings()[schemes.word("dealiasing")]
-                                                                          : Dealiasing::none;
+    settings.dealiasing =
+        spectralDefault || wrote(schemes, "dealiasing") ? dealiasings()[schemes.word("dealiasing")] : Dealiasing::none;
     const Dictionary& filter = schemes.dictionary("filter");
     settings.filter = {filters()[filter.word("type")], filter.number("strength"), filter.number("order"),
                        filter.number("fraction")};

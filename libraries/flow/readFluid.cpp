@@ -46,22 +46,37 @@ const Schema& transportPropertiesSchema()
 {
     using Type = Key::Type;
     static const Schema schema("transportProperties",
-                               {{.name = "nu", .type = Type::dimensioned, .unit = "m2/s",
-                                 .meaning = "kinematic viscosity; 0: inviscid", .required = true, .minimum = 0},
-                                {.name = "rho", .type = Type::dimensioned, .unit = "kg/m3",
-                                 .meaning = "density, for pressures in Pa", .positive = true},
-                                {.name = "bodyForce", .type = Type::function, .unit = "m/s2",
+                               {{.name = "nu",
+                                 .type = Type::dimensioned,
+                                 .unit = "m2/s",
+                                 .meaning = "kinematic viscosity; 0: inviscid",
+                                 .required = true,
+                                 .minimum = 0},
+                                {.name = "rho",
+                                 .type = Type::dimensioned,
+                                 .unit = "kg/m3",
+                                 .meaning = "density, for pressures in Pa",
+                                 .positive = true},
+                                {.name = "bodyForce",
+                                 .type = Type::function,
+                                 .unit = "m/s2",
                                  .meaning = "force per unit mass: uniform (..), expression (..) of x y z t"},
-                                {.name = "DT", .type = Type::dimensioned, .unit = "m2/s",
-                                 .meaning = "diffusivity of a scalar (scalarTransportFoam)", .minimum = 0},
-                                {.name = "transportModel", .type = Type::word,
-                                 .meaning = "OpenFOAM's; Newtonian is all there is", .words = {"Newtonian"}}});
+                                {.name = "DT",
+                                 .type = Type::dimensioned,
+                                 .unit = "m2/s",
+                                 .meaning = "diffusivity of a scalar (scalarTransportFoam)",
+                                 .minimum = 0},
+                                {.name = "transportModel",
+                                 .type = Type::word,
+                                 .meaning = "OpenFOAM's; Newtonian is all there is",
+                                 .words = {"Newtonian"}}});
     return schema;
 }
 
 Fluid readFluid(const Case& flowCase, const Lattice& lattice)
 {
-    const Dictionary dictionary = transportPropertiesSchema().complete(flowCase.dictionary("constant/transportProperties"));
+    const Dictionary dictionary =
+        transportPropertiesSchema().complete(flowCase.dictionary("constant/transportProperties"));
     Fluid fluid;
     fluid.nu = dictionary.dimensionedNumber("nu", viscosityDimensions);
     std::vector<std::pair<std::string, double>> constants{{"nu", fluid.nu}};

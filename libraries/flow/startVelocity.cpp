@@ -65,6 +65,13 @@ StartReport startVelocity(const Lattice& lattice, const DerivativeSymbol& deriva
             }
         }
     }
+    // A mean at round-off is none: it would cost phase factors in every step.
+    double mean2 = 0;
+    for (int c = 0; c < dimensions; ++c) { mean2 += std::norm(coefficients[c][0]); }
+    if (mean2 <= 1e-28 * total)
+    {
+        for (int c = 0; c < dimensions; ++c) { coefficients[c][0] = 0; }
+    }
     const auto relative = [total](double part) { return total > 0 ? std::sqrt(part / total) : 0; };
     return {relative(projected), relative(dealiased), relative(nyquist)};
 }

@@ -1,8 +1,8 @@
 #include "flow/writeFlow.hpp"
 
 #include "case/AtomicFolder.hpp"
+#include "caseFields/storedFieldText.hpp"
 #include "core/FileDescriptor.hpp"
-#include "dictionary/writeDictionary.hpp"
 
 #include <fcntl.h>
 
@@ -19,16 +19,6 @@ void writeText(const std::filesystem::path& path, const std::string& text)
     file.sync();
 }
 
-/// The field's dictionary with its values in fields.h5.
-std::string fieldText(const Dictionary& field, const std::string& fieldClass, const std::string& name)
-{
-    Dictionary written = field;
-    const Origin origin = field.find("internalField")->origin();
-    written.set(Entry("internalField", false, origin,
-                      {{Token::Kind::word, "hdf5", 0, origin.line}, {Token::Kind::string, "fields.h5", 0, origin.line}}));
-    return foamHeader(fieldClass, name) + dictionaryText(written);
-}
-
 } // namespace
 
 void writeFlow(const Case& flowCase, const std::string& timeName, const TimeState& state, const Scene& scene,
@@ -36,8 +26,8 @@ void writeFlow(const Case& flowCase, const std::string& timeName, const TimeStat
 {
     const FlowFiles& files = scene.files;
     AtomicFolder folder(flowCase.path(timeName));
-    writeText(folder.path() / "U", fieldText(files.U, "latticeVectorField", "U"));
-    writeText(folder.path() / "p", fieldText(files.p, "latticeScalarField", "p"));
+    writeText(folder.path() / "U", storedFieldText(files.U, "U", 3));
+    writeText(folder.path() / "p", storedFieldText(files.p, "p", 1));
 
     FieldWriter writer(folder.path() / "fields.h5", scene.lattice);
     writer.write("U", "m/s", flow.velocity());

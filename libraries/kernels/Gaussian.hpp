@@ -5,9 +5,9 @@
 namespace isph
 {
 
-/// Gaussian of any even order 2n: w = pi^(-d/2) L_{n-1}^{(d/2)}(q^2) exp(-q^2), with the generalised Laguerre polynomial
-/// (G4 of Lind & Stansby 2016 is n = 2; the polynomials printed by Lin et al. 2026 are its 2-D members, one misprinted).
-/// Its Fourier transform is Q(n, s) = exp(-s) sum_{m<n} s^m/m!, in any dimension.
+/// Gaussian of any even order 2n: w = pi^(-d/2) L_{n-1}^{(d/2)}(q^2) exp(-q^2), with the generalised Laguerre
+/// polynomial (G4 of Lind & Stansby 2016 is n = 2; the polynomials printed by Lin et al. 2026 are its 2-D members, one
+/// misprinted). Its Fourier transform is Q(n, s) = exp(-s) sum_{m<n} s^m/m!, in any dimension.
 class Gaussian : public Kernel
 {
 public:

@@ -9,7 +9,8 @@ namespace isph
 
 std::vector<std::array<int, 3>> latticeStencil(const Lattice& lattice, double smoothingLength, double supportRadius)
 {
-    const double radius = smoothingLength * supportRadius * (1 + 1e-12); // in spacings: h_j/dx_j is the same on each axis
+    const double radius =
+        smoothingLength * supportRadius * (1 + 1e-12); // in spacings: h_j/dx_j is the same on each axis
     const int dimensions = lattice.dimensions();
     constexpr double largest = 2e7;
     if (std::pow(2 * radius + 1, dimensions) > largest)
@@ -27,8 +28,8 @@ std::vector<std::array<int, 3>> latticeStencil(const Lattice& lattice, double sm
         {
             for (int i = -reach; i <= reach; ++i)
             {
-                const double distance2 = static_cast<double>(i) * i + static_cast<double>(j) * j +
-                                         static_cast<double>(k) * k;
+                const double distance2 =
+                    static_cast<double>(i) * i + static_cast<double>(j) * j + static_cast<double>(k) * k;
                 if (distance2 <= radius * radius) { offsets.push_back({i, j, k}); }
             }
         }

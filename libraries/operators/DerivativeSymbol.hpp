@@ -3,9 +3,9 @@
 #include "fields/Field.hpp"
 #include "kernels/KernelSettings.hpp"
 #include "operators/KernelSamples.hpp"
+#include "spectral/dealiasing.hpp"
 #include "spectral/FourierTransform.hpp"
 #include "spectral/ModeRows.hpp"
-#include "spectral/dealiasing.hpp"
 
 namespace isph
 {
@@ -13,8 +13,8 @@ namespace isph
 /// The first derivative of a kernel in Fourier space: D_j f = i d_j(k) f, with d_j real, odd, and zero at the Nyquist
 /// wavenumber of its own axis.
 ///
-/// Closed kernels: d_j = k_j Q(k) with one table for Q, none for the exact derivative. Sampled kernels: a table for each
-/// axis, the transform of the samples.
+/// Closed kernels: d_j = k_j Q(k) with one table for Q, none for the exact derivative. Sampled kernels: a table for
+/// each axis, the transform of the samples.
 class DerivativeSymbol
 {
 public:
@@ -40,8 +40,8 @@ private:
 /// A real table of modes, the transform of weights on the lattice: sum_b w_b cos(k x_b) for even weights, or
 /// sum_b w_b sin(k x_b) for odd ones. Offsets beyond the box wrap to their images.
 AlignedVector<double> symbolOfWeights(const Lattice& lattice, FourierTransform& transform,
-                                      const std::vector<std::array<int, 3>>& offsets, const std::vector<double>& weights,
-                                      bool odd);
+                                      const std::vector<std::array<int, 3>>& offsets,
+                                      const std::vector<double>& weights, bool odd);
 
 /// Minus the Laplacian's symbol by mode, >= 0 up to the defects of the form (sampled secondDerivative can be negative).
 /// \param samples of the same form; unused (may be null) for closed kernels and LaplacianForm::exact

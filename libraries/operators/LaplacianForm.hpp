@@ -6,7 +6,12 @@ namespace isph
 {
 
 /// The discrete Laplacian of the viscous term.
-enum class LaplacianForm { morris, secondDerivative, exact };
+enum class LaplacianForm
+{
+    morris,
+    secondDerivative,
+    exact
+};
 
 const Selection<LaplacianForm>& laplacians();
 

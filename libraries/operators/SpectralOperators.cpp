@@ -9,8 +9,11 @@ namespace isph
 
 SpectralOperators::SpectralOperators(const Lattice& lattice, DerivativeSymbol derivative,
                                      AlignedVector<double> laplacian)
-    : derivative_(std::move(derivative)), laplacian_(std::move(laplacian)), transform_(lattice, 1),
-      real_(1, lattice.points()), scratch_(1, transform_.modes())
+    : derivative_(std::move(derivative)),
+      laplacian_(std::move(laplacian)),
+      transform_(lattice, 1),
+      real_(1, lattice.points()),
+      scratch_(1, transform_.modes())
 {
     for (int d = 0; d < lattice.dimensions(); ++d)
     {

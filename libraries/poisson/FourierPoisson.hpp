@@ -5,8 +5,8 @@
 namespace isph
 {
 
-/// Solves lap phi = source on a periodic lattice by transforms; the mean of phi is zero, and so is what the null modes of
-/// the operator would carry.
+/// Solves lap phi = source on a periodic lattice by transforms; the mean of phi is zero, and so is what the null modes
+/// of the operator would carry.
 class FourierPoisson
 {
 public:

@@ -52,7 +52,10 @@ AlignedVector<double> poissonEigenvalues(const Lattice& lattice, Eigenvalues for
     const double dx0 = lattice.activeAxis(0).spacing();
     for (std::size_t row = 0; row < rows.count(); ++row)
     {
-        if (form == Eigenvalues::consistent) { derivative.row(row, 0, rows.length(), {d[0].data(), d[1].data(), d[2].data()}); }
+        if (form == Eigenvalues::consistent)
+        {
+            derivative.row(row, 0, rows.length(), {d[0].data(), d[1].data(), d[2].data()});
+        }
         const bool fourth = form == Eigenvalues::fourthOrder;
         double differencesOfRow = 0;
         for (int axis = 1; axis < rows.dimensions(); ++axis)
@@ -64,9 +67,14 @@ AlignedVector<double> poissonEigenvalues(const Lattice& lattice, Eigenvalues for
             double& value = values[rows.offset(row) + i];
             switch (form)
             {
-            case Eigenvalues::consistent: value = d[0][i] * d[0][i] + d[1][i] * d[1][i] + d[2][i] * d[2][i]; break;
-            case Eigenvalues::exact: value = k0[i] * k0[i] + rows.k2OfRow(row); break;
-            default: value = centralDifference(k0[i], dx0, fourth) + differencesOfRow;
+            case Eigenvalues::consistent:
+                value = d[0][i] * d[0][i] + d[1][i] * d[1][i] + d[2][i] * d[2][i];
+                break;
+            case Eigenvalues::exact:
+                value = k0[i] * k0[i] + rows.k2OfRow(row);
+                break;
+            default:
+                value = centralDifference(k0[i], dx0, fourth) + differencesOfRow;
             }
         }
     }

@@ -23,8 +23,8 @@ const Selection<Eigenvalues>& eigenvalueForms();
 AlignedVector<double> poissonEigenvalues(const Lattice& lattice, Eigenvalues form, const DerivativeSymbol& derivative,
                                          std::span<const double> morris);
 
-/// 1/eigenvalue by mode, 0 for the null modes: those whose value is at most 1e-24 k^2 of their own wave vector (a global
-/// threshold would take good modes of stretched boxes for null).
+/// 1/eigenvalue by mode, 0 for the null modes: those whose value is at most 1e-24 k^2 of their own wave vector (a
+/// global threshold would take good modes of stretched boxes for null).
 AlignedVector<double> invertedEigenvalues(const ModeRows& rows, AlignedVector<double> eigenvalues);
 
 } // namespace isph

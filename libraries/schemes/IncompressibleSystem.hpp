@@ -7,11 +7,11 @@ namespace isph
 /// eqs 5-8, with the signs of docs/theory/errata.md).
 struct Substep
 {
-    double a;           ///< length of the substep in steps, g + z
-    double g;           ///< weight of the present rate F^k
-    double z;           ///< weight of the previous rate F^{k-1}
-    double start;       ///< when F^k is evaluated, in steps from the beginning
-    int numerator;      ///< a as a fraction of small numbers: factors exp(a ...) are powers of one
+    double a;      ///< length of the substep in steps, g + z
+    double g;      ///< weight of the present rate F^k
+    double z;      ///< weight of the previous rate F^{k-1}
+    double start;  ///< when F^k is evaluated, in steps from the beginning
+    int numerator; ///< a as a fraction of small numbers: factors exp(a ...) are powers of one
     int denominator;
     bool first;
     bool last;

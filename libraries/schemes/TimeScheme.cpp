@@ -11,9 +11,21 @@ namespace
 /// Third order, low storage: Wray's coefficients (Lin et al. 2026, eq. 5).
 constexpr std::array<Substep, 3> rungeKutta3{{
     {.a = 8.0 / 15, .g = 8.0 / 15, .z = 0, .start = 0, .numerator = 8, .denominator = 15, .first = true, .last = false},
-    {.a = 2.0 / 15, .g = 5.0 / 12, .z = -17.0 / 60, .start = 8.0 / 15, .numerator = 2, .denominator = 15,
-     .first = false, .last = false},
-    {.a = 1.0 / 3, .g = 3.0 / 4, .z = -5.0 / 12, .start = 2.0 / 3, .numerator = 5, .denominator = 15, .first = false,
+    {.a = 2.0 / 15,
+     .g = 5.0 / 12,
+     .z = -17.0 / 60,
+     .start = 8.0 / 15,
+     .numerator = 2,
+     .denominator = 15,
+     .first = false,
+     .last = false},
+    {.a = 1.0 / 3,
+     .g = 3.0 / 4,
+     .z = -5.0 / 12,
+     .start = 2.0 / 3,
+     .numerator = 5,
+     .denominator = 15,
+     .first = false,
      .last = true},
 }};
 

@@ -13,8 +13,8 @@ struct StepRates
     double convective = 0; ///< largest |u . D| over points and modes [1/s]
     double viscous = 0;    ///< largest nu times minus the Laplacian, where the viscous term is explicit [1/s]
 
-    /// Forward Euler has no part of the imaginary axis: convection needs |u|^2/nu times this to balance [1/s]; 0 for schemes
-    /// that need no viscosity.
+    /// Forward Euler has no part of the imaginary axis: convection needs |u|^2/nu times this to balance [1/s]; 0 for
+    /// schemes that need no viscosity.
     double unbalancedConvection = 0;
 
     double courant = 0;     ///< largest sum |u_j|/dx_j over points: Courant number per unit of time [1/s]

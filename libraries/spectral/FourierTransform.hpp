@@ -30,7 +30,7 @@ public:
     FourierTransform(FourierTransform&&) noexcept;
     FourierTransform& operator=(FourierTransform&&) noexcept;
 
-    /// real must have this transform's number of components and stays as it is.
+    /// Transforms the first components() components of both fields; real stays as it is.
     void forward(const RealField& real, SpectralField& modes);
 
     /// Overwrites modes with scratch.

@@ -6,8 +6,10 @@ namespace isph
 {
 
 ModeRows::ModeRows(const Lattice& lattice)
-    : dimensions_(lattice.dimensions()), points0_(static_cast<std::size_t>(lattice.activeAxis(0).count)),
-      extents_(modeExtents(lattice)), wavenumbers_(lattice)
+    : dimensions_(lattice.dimensions()),
+      points0_(static_cast<std::size_t>(lattice.activeAxis(0).count)),
+      extents_(modeExtents(lattice)),
+      wavenumbers_(lattice)
 {
 }
 

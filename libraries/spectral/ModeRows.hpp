@@ -21,7 +21,12 @@ public:
     std::size_t offset(std::size_t row) const { return row * length(); }
 
     /// Index on axis d (1 or 2) of a row.
-    std::size_t index(std::size_t row, int d) const { return d == 1 ? row % extents_[1] : row / extents_[1]; }
+    std::size_t index(std::size_t row, int d) const
+    {
+        // A division costs as much as several modes do.
+        if (extents_[2] == 1) { return d == 1 ? row : 0; }
+        return d == 1 ? row % extents_[1] : row / extents_[1];
+    }
 
     const Wavenumbers& wavenumbers() const { return wavenumbers_; }
 

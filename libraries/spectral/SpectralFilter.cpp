@@ -30,8 +30,9 @@ std::array<std::vector<double>, 3> filterFactors(const Lattice& lattice, const F
             const double fraction = 2.0 * std::min(i, n - i) / n;
             const double sigma = settings.type == FilterSettings::Type::exponential
                                      ? std::exp(-settings.strength * std::pow(fraction, settings.order))
-                                 : settings.type == FilterSettings::Type::cutoff ? (fraction <= settings.fraction ? 1 : 0)
-                                                                                 : 1;
+                                 : settings.type == FilterSettings::Type::cutoff
+                                     ? (fraction <= settings.fraction ? 1 : 0)
+                                     : 1;
             factors[static_cast<std::size_t>(d)].push_back(sigma);
         }
     }

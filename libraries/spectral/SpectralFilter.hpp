@@ -12,7 +12,12 @@ namespace isph
 /// A low-pass filter applied once per step, axis by axis: sigma = prod_j sigma(|k_j|/k_Nyquist).
 struct FilterSettings
 {
-    enum class Type { none, exponential, cutoff };
+    enum class Type
+    {
+        none,
+        exponential,
+        cutoff
+    };
 
     Type type = Type::none;
     double strength = 36;   ///< exponential: sigma = exp(-strength (|k|/k_Nyquist)^order)

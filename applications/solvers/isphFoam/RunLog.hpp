@@ -14,8 +14,8 @@ namespace isph
 
 /// The log of a run, in OpenFOAM's shape: what is active, a block per reported step, where the time went.
 ///
-/// On a terminal a progress line stands for the blocks. Elsewhere a step is reported when it is the first, writes, ends the
-/// run, or a second has passed; -verbose reports every step.
+/// On a terminal a progress line stands for the blocks. Elsewhere a step is reported when it is the first, writes, ends
+/// the run, or a second has passed; -verbose reports every step.
 class RunLog
 {
 public:

@@ -30,11 +30,12 @@ std::optional<Error> StepGuard::divergence(const StepRates& rates, double dt, co
     if (finite && over <= divergedCo_) { return std::nullopt; }
 
     const std::string what =
-        finite ? fmt::format("the solution diverged in the step after time {}: the Courant number reached {:.3g}, {:.3g} "
-                             "times the stable one",
-                             control.timeName(), dt * rates.courant, over)
-               : fmt::format("the solution diverged in the step after time {}: the velocity is no longer finite",
-                             control.timeName());
+        finite
+            ? fmt::format("the solution diverged in the step after time {}: the Courant number reached {:.3g}, {:.3g} "
+                          "times the stable one",
+                          control.timeName(), dt * rates.courant, over)
+            : fmt::format("the solution diverged in the step after time {}: the velocity is no longer finite",
+                          control.timeName());
     const std::string advice =
         largestMargin_ > 1
             ? fmt::format("steps were up to {:.3g} times the stable one; take deltaT auto; or at most {:.4g}",

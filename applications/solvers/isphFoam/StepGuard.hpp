@@ -22,8 +22,8 @@ public:
     /// Margin of the next step; warns, once a run, of a step above the limit.
     StabilityMargin judge(const StepRates& rates, double dt);
 
-    /// The error if the state after a step of dt has diverged: anything not finite, or a Courant number divergedCo times
-    /// the stable one.
+    /// The error if the state after a step of dt has diverged: anything not finite, or a Courant number divergedCo
+    /// times the stable one.
     std::optional<Error> divergence(const StepRates& rates, double dt, const TimeControl& control) const;
 
 private:

@@ -6,20 +6,22 @@
 //
 // Reads 0/, constant/ and system/; writes time folders, postProcessing/ and postProcessing/report.json.
 
-#include "RunLog.hpp"
-#include "StepGuard.hpp"
 #include "postProcess.hpp"
+#include "RunLog.hpp"
 #include "runSupport.hpp"
+#include "StepGuard.hpp"
 
 #include "case/AtomicFolder.hpp"
 #include "case/PurgeWrite.hpp"
-#include "case/RunLock.hpp"
 #include "case/readTimeControl.hpp"
+#include "case/RunLock.hpp"
 #include "core/runApplication.hpp"
 #include "core/signals.hpp"
 #include "fields/threads.hpp"
 #include "flow/readFlow.hpp"
+#include "flow/stableNumbers.hpp"
 #include "flow/writeFlow.hpp"
+#include "functions/flowListings.hpp"
 
 #include <optional>
 
@@ -78,7 +80,8 @@ static void run(const CommandLine& line, Log& log)
     observe();
     while (control.running())
     {
-        const double dt = control.timeStep(stepLimits(scene, rates, functions.nextTime()));
+        const double dt =
+            control.timeStep(stepLimits(scene.lattice, scene.fluid, *scene.settings.time, rates, functions.nextTime()));
         const StabilityMargin margin = guard.judge(rates, dt);
         advance(scheme, *flow, control.time(), dt);
         report.step(margin, flow->transforms());
@@ -106,15 +109,14 @@ static void run(const CommandLine& line, Log& log)
 
 int main(int argc, char** argv)
 {
-    Application application{
-        .name = "isphFoam",
-        .summary = "Incompressible SPH in a box by fast transforms.",
-        .examples = "isphFoam -case taylorGreen2D\n"
-                    "isphFoam -case taylorGreen2D -postProcess -latestTime",
-        .options = {{"postProcess", "", "run the functions on the times already written"},
-                    {"noFunctionObjects", "", "do not run the functions of controlDict"},
-                    {"verbose", "", "report every step, also on a terminal"}},
-        .listings = flowListings()};
+    Application application{.name = "isphFoam",
+                            .summary = "Incompressible SPH in a box by fast transforms.",
+                            .examples = "isphFoam -case taylorGreen2D\n"
+                                        "isphFoam -case taylorGreen2D -postProcess -latestTime",
+                            .options = {{"postProcess", "", "run the functions on the times already written"},
+                                        {"noFunctionObjects", "", "do not run the functions of controlDict"},
+                                        {"verbose", "", "report every step, also on a terminal"}},
+                            .listings = flowListings()};
     application.options.insert(application.options.end(), timeOptions.begin(), timeOptions.end());
     return runApplication(application, argc, argv, run);
 }

@@ -1,8 +1,6 @@
 #include "runSupport.hpp"
 
 #include "core/writeTextFile.hpp"
-#include "flow/readFlowSettings.hpp"
-#include "kernels/kernelSelection.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,19 +9,17 @@
 namespace isph
 {
 
-Functions readFunctions(const CommandLine& line, const Case& flowCase, const Scene& scene,
-                        const std::string& startTime)
+Functions readFunctions(const CommandLine& line, const Case& flowCase, const Scene& scene, const std::string& startTime)
 {
     const Dictionary controlDict = flowCase.dictionary("system/controlDict");
     if (line.has("noFunctionObjects") || !controlDict.hasDictionary("functions")) { return {}; }
-    return Functions(controlDict.dictionary("functions"),
-                     {.theCase = flowCase,
-                      .lattice = scene.lattice,
-                      .fluid = scene.fluid,
-                      .startTime = startTime,
-                      .pressureScale = scene.files.pressureScale,
-                      .pressureUnit = scene.files.pressureUnit,
-                      .pressureFixed = false});
+    return Functions(controlDict.dictionary("functions"), {.theCase = flowCase,
+                                                           .lattice = scene.lattice,
+                                                           .fluid = scene.fluid,
+                                                           .startTime = startTime,
+                                                           .pressureScale = scene.files.pressureScale,
+                                                           .pressureUnit = scene.files.pressureUnit,
+                                                           .pressureFixed = false});
 }
 
 FlowAtTime flowAtTime(IncompressibleFlow& flow, const TimeControl& control, const Timings& timings)
@@ -37,19 +33,6 @@ FlowAtTime flowAtTime(IncompressibleFlow& flow, const TimeControl& control, cons
             .wallTime = state.wallTime,
             .timings = timings,
             .dt = control.lastStep()};
-}
-
-StepLimits stepLimits(const Scene& scene, const StepRates& rates, double meetTime)
-{
-    double least = scene.lattice.activeAxis(0).spacing();
-    for (int d = 1; d < scene.lattice.dimensions(); ++d)
-    {
-        least = std::min(least, scene.lattice.activeAxis(d).spacing());
-    }
-    return {.largestStable = largestStableStep(*scene.settings.time, rates),
-            .convectiveRate = rates.courant,
-            .viscousRate = rates.viscous > 0 ? scene.fluid.nu / (least * least) : 0,
-            .meetTime = meetTime};
 }
 
 RunReport openReport(const Case& flowCase, const Scene& scene, int threads)
@@ -74,22 +57,9 @@ void warnOfOtherPlans(const Case& flowCase, const StartFolder& start, const Inco
     if (!start.restart) { return; }
     const Dictionary state = flowCase.dictionary(start.folder.name + "/uniform/time");
     if (!state.has("transformPlans") || state.text("transformPlans") == flow.planFingerprint()) { return; }
-    log.warning("this restart uses other transform plans than the run that wrote its start: it goes on within round-off, "
-                "not in the same bits (another machine, thread count or wisdom)");
-}
-
-std::vector<Listing> flowListings()
-{
-    return {{"listKernels", [] { return kernels().words(); }},
-            {"listConvections", [] { return convectionForms().words(); }},
-            {"listLaplacians", [] { return laplacians().words(); }},
-            {"listTimeSchemes", [] { return timeSchemes().words(); }},
-            {"listViscousTreatments", [] { return viscousTreatments().words(); }},
-            {"listDealiasings", [] { return dealiasings().words(); }},
-            {"listFilters", [] { return filters().words(); }},
-            {"listEigenvalues", [] { return eigenvalueForms().words(); }},
-            {"listPresets", [] { return presets().words(); }},
-            {"listFunctions", [] { return functionTypes(); }}};
+    log.warning(
+        "this restart uses other transform plans than the run that wrote its start: it goes on within round-off, "
+        "not in the same bits (another machine, thread count or wisdom)");
 }
 
 SteadyCheck::SteadyCheck(const std::optional<double>& tolerance, IncompressibleFlow& flow)

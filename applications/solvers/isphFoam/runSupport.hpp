@@ -7,8 +7,6 @@
 #include "flow/Scene.hpp"
 #include "functions/functionSelection.hpp"
 
-#include <vector>
-
 namespace isph
 {
 
@@ -19,17 +17,11 @@ Functions readFunctions(const CommandLine& line, const Case& flowCase, const Sce
 /// A flow as its functions see it.
 FlowAtTime flowAtTime(IncompressibleFlow& flow, const TimeControl& control, const Timings& timings);
 
-/// What limits the next step.
-StepLimits stepLimits(const Scene& scene, const StepRates& rates, double meetTime);
-
 RunReport openReport(const Case& flowCase, const Scene& scene, int threads);
 void writeReport(const Case& flowCase, const Json& report);
 
 /// A restart ends in the same bits only with the transform plans of the run before: says so when they differ.
 void warnOfOtherPlans(const Case& flowCase, const StartFolder& start, const IncompressibleFlow& flow, Log& log);
-
-/// The tables behind -listKernels and its like.
-std::vector<Listing> flowListings();
 
 /// Largest |dU/dt| over points, for steadyTolerance; holds a velocity only where that is asked for.
 class SteadyCheck

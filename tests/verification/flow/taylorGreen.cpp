@@ -25,14 +25,15 @@ Errors errorsOf(const TaylorGreen& exact, const FlowSettings& settings, int n, d
     const Fluid fluid{.nu = exact.nu};
     Timings timings;
     SpectralFlow flow(lattice, fluid, settings, timings, PlanEffort::estimated);
-    flow.start(fieldOf(lattice, 2, [&](int c, double x, double y, double) { return exact.velocity(c, x, y, 0); }), true);
+    flow.start(fieldOf(lattice, 2, [&](int c, double x, double y, double) { return exact.velocity(c, x, y, 0); }),
+               true);
     march(flow, *settings.time, end, steps);
     const RealField velocity =
         fieldOf(lattice, 2, [&](int c, double x, double y, double) { return exact.velocity(c, x, y, end); });
     const double ofVelocity = relativeL2(flow.velocity(), velocity);
-    const double vortexNorm =
-        norm(fieldOf(lattice, 2, [&](int c, double x, double y, double)
-                     { return exact.velocity(c, x, y, end) - (c == 0 ? exact.U0 : exact.V0); }));
+    const double vortexNorm = norm(fieldOf(lattice, 2,
+                                           [&](int c, double x, double y, double)
+                                           { return exact.velocity(c, x, y, end) - (c == 0 ? exact.U0 : exact.V0); }));
     const RealField pressure =
         fieldOf(lattice, 1, [&](int, double x, double y, double) { return exact.pressure(x, y, end); });
     return {ofVelocity, ofVelocity * norm(velocity) / vortexNorm, relativeL2(flow.pressure(end), pressure)};
