@@ -1,0 +1,24 @@
+#include "functions/flowListings.hpp"
+
+#include "flow/readFlowSettings.hpp"
+#include "functions/functionSelection.hpp"
+#include "kernels/kernelSelection.hpp"
+
+namespace isph
+{
+
+std::vector<Listing> flowListings()
+{
+    return {{"listKernels", [] { return kernels().words(); }},
+            {"listConvections", [] { return convectionForms().words(); }},
+            {"listLaplacians", [] { return laplacians().words(); }},
+            {"listTimeSchemes", [] { return timeSchemes().words(); }},
+            {"listViscousTreatments", [] { return viscousTreatments().words(); }},
+            {"listDealiasings", [] { return dealiasings().words(); }},
+            {"listFilters", [] { return filters().words(); }},
+            {"listEigenvalues", [] { return eigenvalueForms().words(); }},
+            {"listPresets", [] { return presets().words(); }},
+            {"listFunctions", [] { return functionTypes(); }}};
+}
+
+} // namespace isph
