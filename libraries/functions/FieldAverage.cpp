@@ -30,7 +30,7 @@ std::string squared(const std::string& unit)
     return result;
 }
 
-/// The state that averages go on from: how long they have been gathered.
+/// The state that averages go on from: how long they have been gathered, and when the last sample was taken.
 std::string stateName(const std::string& field) { return field + "Average"; }
 
 RealField copyOfComponent(const RealField& field, int component)
@@ -81,9 +81,10 @@ void FieldAverage::restore(const std::filesystem::path& file)
     {
         const bool hasMoments = !moments_ || reader.has(momentName(average, 0, 0));
         if (!reader.hasState(stateName(average.name)) || !hasMoments) { continue; } // not averaged until now
-        RealField duration(1, 1);
-        reader.readState(stateName(average.name), duration);
-        average.duration = duration[0][0];
+        RealField state(1, 2);
+        reader.readState(stateName(average.name), state);
+        average.duration = state[0][0];
+        last_ = state[0][1];
         average.mean = reader.read(average.name + "Mean");
         int moment = 0;
         for (int a = 0; moments_ && a < average.mean.components(); ++a)
@@ -99,10 +100,16 @@ void FieldAverage::restore(const std::filesystem::path& file)
 
 void FieldAverage::accumulate(const FlowAtTime& now)
 {
-    if (averages_.empty()) { begin(); }
-    const double weight = last_ ? now.time - *last_ : 0;
-    last_ = now.time;
+    if (averages_.empty())
+    {
+        // The first sample starts the clock. After a restart it is one that the run before took, or did not take.
+        begin();
+        if (!last_) { last_ = now.time; }
+        return;
+    }
+    const double weight = now.time - *last_;
     if (!(weight > 0)) { return; }
+    last_ = now.time;
 
     const std::vector<NamedField> fields = fields_.at(now, quantities_);
     for (std::size_t i = 0; i < fields.size(); ++i)
@@ -157,9 +164,10 @@ void FieldAverage::execute(const FlowAtTime& now)
                              copyOfComponent(average.moments, moment++));
             }
         }
-        RealField duration(1, 1);
-        duration[0][0] = average.duration;
-        writer.writeState(stateName(average.name), duration);
+        RealField state(1, 2);
+        state[0][0] = average.duration;
+        state[0][1] = *last_;
+        writer.writeState(stateName(average.name), state);
     }
     writer.close();
     folder.commit();

@@ -97,6 +97,22 @@ TEST_F(FieldAverageTest, GoesOnInTheSameBits)
     EXPECT_EQ(bytesOf("whole"), bytesOf("parts"));
 }
 
+// Stopped at 0.2, between the samples at 0.1 and 0.3: a restart is no sample.
+TEST_F(FieldAverageTest, GoesOnBetweenSamples)
+{
+    FieldAverage whole = average("0");
+    for (const double t : {0.0, 0.1, 0.3}) { whole.accumulate(when(t)); }
+    whole.execute(when(0.3, "whole"));
+
+    FieldAverage first = average("0");
+    for (const double t : {0.0, 0.1}) { first.accumulate(when(t)); }
+    first.execute(when(0.2, "0.2"));
+    FieldAverage second = average("0.2");
+    for (const double t : {0.2, 0.3}) { second.accumulate(when(t)); }
+    second.execute(when(0.3, "parts"));
+    EXPECT_EQ(bytesOf("whole"), bytesOf("parts"));
+}
+
 TEST_F(FieldAverageTest, TakesAwayWhatAKilledRunLeft)
 {
     std::filesystem::create_directories(folder.path / ".0.5.tmp-999999999");
