@@ -14,9 +14,9 @@ namespace
 {
 
 // What no honest dictionary reaches: limits that keep hostile text from costing time, memory or stack.
-constexpr std::size_t mostEntries = 20'000;
+constexpr std::size_t mostEntries = 10'000;
 constexpr std::size_t mostPatterns = 100;
-constexpr std::size_t mostTokens = 2'000'000;
+constexpr std::size_t mostTokens = 1'000'000;
 constexpr std::size_t mostInherited = 1'000'000;
 constexpr std::size_t deepestNesting = 64;
 

@@ -13,7 +13,7 @@ namespace isph
 namespace
 {
 
-constexpr std::size_t mostMacros = 20'000;
+constexpr std::size_t mostMacros = 10'000;
 constexpr std::size_t longestName = 1000;
 
 } // namespace
