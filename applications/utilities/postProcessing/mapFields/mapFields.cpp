@@ -10,11 +10,9 @@
 #include "case/TimeDirectories.hpp"
 #include "caseFields/FieldsOfTime.hpp"
 #include "caseFields/selectFields.hpp"
+#include "caseFields/storedFieldText.hpp"
 #include "core/runApplication.hpp"
 #include "core/writeTextFile.hpp"
-#include "dictionary/readText.hpp"
-#include "dictionary/TextEditor.hpp"
-#include "dictionary/writeDictionary.hpp"
 #include "fieldStore/FieldWriter.hpp"
 #include "lattice/readLattice.hpp"
 #include "sampling/LatticeMap.hpp"
@@ -117,22 +115,6 @@ static void keepStored(const Case& target, const Lattice& lattice, StartFields& 
     }
 }
 
-/// The text of a field's dictionary with only its internalField changed.
-static std::string startText(const Case& target, const std::string& name, int components)
-{
-    const std::string shownAs = "0/" + name;
-    std::string text = readText(target.path(shownAs), {shownAs, 0, ""});
-    const Dictionary before = target.dictionary(shownAs);
-    if (!before.hasDictionary("FoamFile") || !before.dictionary("FoamFile").has("class"))
-    {
-        // Without a formula to tell, the class says whether the field is a vector.
-        text.insert(0, foamHeader(components == 1 ? "latticeScalarField" : "latticeVectorField", name));
-    }
-    TextEditor editor(text, shownAs, target.path("0"));
-    editor.set("internalField", fmt::format("hdf5 \"{}\"", storeName));
-    return editor.text();
-}
-
 static void copyFolder(const fs::path& from, const fs::path& to)
 {
     fs::copy(from, to,
@@ -148,7 +130,8 @@ static void replaceStart(const Case& target, const Lattice& lattice, const Start
     for (const auto& [name, field] : fields)
     {
         writer.write(name, field.header.unit, field.values);
-        writeTextFile(start.path() / name, startText(target, name, field.header.components));
+        writeTextFile(start.path() / name,
+                      storedFieldText(target.dictionary("0/" + name), name, field.header.components));
     }
     writer.close();
 
