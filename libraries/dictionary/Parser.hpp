@@ -57,6 +57,7 @@ private:
     // Directives (directives.cpp)
     void executeDirective(const Lexeme& directive, Dictionary& target, std::vector<int>& conditions);
     void include(const Lexeme& directive, Dictionary& target);
+    std::filesystem::path caseFolder() const;
     void setInputMode(int line);
     void removeEntries(int line, Dictionary& target);
     std::vector<Token> parseToken(const std::string& directive, int line);

@@ -66,6 +66,19 @@ void Parser::executeDirective(const Lexeme& directive, Dictionary& target, std::
     }
 }
 
+fs::path Parser::caseFolder() const
+{
+    // Messages show system/schemes for a file in <case>/system: as many folders up as the shown name has; without a
+    // case in sight, one.
+    const Source& outermost = sources_.front();
+    fs::path folder = fs::absolute(outermost.folder).lexically_normal();
+    if (!folder.has_filename()) { folder = folder.parent_path(); } // a slash at the end
+    fs::path shown = fs::path(outermost.shownAs).parent_path();
+    if (shown.is_absolute()) { return folder.parent_path(); }
+    for (; !shown.empty(); shown = shown.parent_path()) { folder = folder.parent_path(); }
+    return folder;
+}
+
 void Parser::include(const Lexeme& directive, Dictionary& target)
 {
     const Lexeme argument = lexer_->next();
@@ -77,11 +90,20 @@ void Parser::include(const Lexeme& directive, Dictionary& target)
     const Source& includer = sources_.back();
     if (includer.folder.empty()) { fail(directive.line, fmt::format("may not #{} a file here", directive.text)); }
 
-    const std::string name = withMacros(argument.text, argument.line, false);
-    const bool etc = directive.text == "includeEtc";
-    const fs::path file = etc ? findEtcFile(name) : includer.folder / name;
-    const std::string shownAs =
-        etc ? "etc/" + name : (fs::path(includer.shownAs).parent_path() / name).lexically_normal().string();
+    std::string name = withMacros(argument.text, argument.line, false);
+    const bool etc = directive.text == "includeEtc" || name.starts_with("<etc>/");
+    fs::path folder = includer.folder;
+    fs::path shownIn = fs::path(includer.shownAs).parent_path();
+    for (const auto& [tag, place] : {std::pair("<case>/", ""), std::pair("<constant>/", "constant"),
+                                     std::pair("<system>/", "system"), std::pair("<etc>/", "etc")})
+    {
+        if (!name.starts_with(tag)) { continue; }
+        name = name.substr(std::string_view(tag).size());
+        folder = caseFolder() / place;
+        shownIn = place;
+    }
+    const fs::path file = etc ? findEtcFile(name) : folder / name;
+    const std::string shownAs = etc ? "etc/" + name : (shownIn / name).lexically_normal().string();
     if (etc && file.empty())
     {
         fail(directive.line, fmt::format("includes etc/{}, which does not exist", name),

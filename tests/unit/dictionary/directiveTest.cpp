@@ -152,6 +152,19 @@ TEST_F(Include, ExpandsNames)
     EXPECT_EQ(read("#include \"${CONTINUA_TEST_FOLDER}/system/b2\"").number("b"), 2);
 }
 
+TEST_F(Include, KnowsTheFoldersOfTheCase)
+{
+    folder.write("constant/c", "c $d;\n#include \"<case>/e\"");
+    folder.write("system/d", "d 4;");
+    folder.write("e", "\ne 5;");
+    const Dictionary dictionary =
+        read("#include \"<system>/d\"\n#include \"<constant>/c\"\n#include \"<etc>/solutions/gresho\"");
+    EXPECT_EQ(dictionary.number("c"), 4);
+    EXPECT_EQ(dictionary.find("e")->origin(), (Origin{"e", 2, "e"}));
+    EXPECT_EQ(dictionary.number("R"), 0.2);
+    EXPECT_EQ(message("#include \"<constant>/none\""), "system/a:1: includes constant/none, which does not exist");
+}
+
 TEST_F(Include, IfPresentLeavesOutWhatIsNotThere)
 {
     folder.write("system/b", "b 2;");
