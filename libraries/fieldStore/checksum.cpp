@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstring>
 
 namespace isph
 {
@@ -9,9 +10,11 @@ namespace isph
 namespace
 {
 
-using Table = std::array<std::array<std::uint32_t, 256>, 8>;
+constexpr std::size_t stride = 16; ///< bytes taken at a time
 
-/// table[k][b]: what byte b adds to the checksum when k bytes follow it.
+using Table = std::array<std::array<std::uint32_t, 256>, stride>;
+
+/// table[k][b]: what byte b adds to the checksum when k bytes of its stride follow it.
 constexpr Table makeTable()
 {
     Table table{};
@@ -21,7 +24,7 @@ constexpr Table makeTable()
         for (int bit = 0; bit < 8; ++bit) { value = (value >> 1) ^ ((value & 1U) != 0 ? 0xEDB88320U : 0U); }
         table[0][byte] = value;
     }
-    for (std::size_t k = 1; k < 8; ++k)
+    for (std::size_t k = 1; k < stride; ++k)
     {
         for (std::size_t byte = 0; byte < 256; ++byte)
         {
@@ -34,23 +37,26 @@ constexpr Table makeTable()
 
 constexpr Table table = makeTable();
 
-std::uint32_t byteAt(std::span<const char> bytes, std::size_t i) { return static_cast<unsigned char>(bytes[i]); }
-
 } // namespace
 
 std::uint32_t crc32(std::span<const char> bytes, std::uint32_t before)
 {
     std::uint32_t value = ~before;
-    std::size_t i = 0;
-    for (; i + 8 <= bytes.size(); i += 8)
+    const char* next = bytes.data();
+    const char* const end = next + bytes.size();
+    std::array<unsigned char, stride> block{};
+    for (; static_cast<std::size_t>(end - next) >= stride; next += stride)
     {
-        const std::uint32_t low = value ^ (byteAt(bytes, i) | byteAt(bytes, i + 1) << 8 | byteAt(bytes, i + 2) << 16 |
-                                           byteAt(bytes, i + 3) << 24);
-        value = table[7][low & 0xFFU] ^ table[6][low >> 8 & 0xFFU] ^ table[5][low >> 16 & 0xFFU] ^ table[4][low >> 24] ^
-                table[3][byteAt(bytes, i + 4)] ^ table[2][byteAt(bytes, i + 5)] ^ table[1][byteAt(bytes, i + 6)] ^
-                table[0][byteAt(bytes, i + 7)];
+        std::memcpy(block.data(), next, stride);
+        // The first four bytes meet the checksum so far, lowest byte first.
+        for (std::size_t i = 0; i < 4; ++i) { block[i] ^= static_cast<unsigned char>(value >> (8 * i)); }
+        value = 0;
+        for (std::size_t i = 0; i < stride; ++i) { value ^= table[stride - 1 - i][block[i]]; }
     }
-    for (; i < bytes.size(); ++i) { value = (value >> 8) ^ table[0][(value ^ byteAt(bytes, i)) & 0xFFU]; }
+    for (; next != end; ++next)
+    {
+        value = (value >> 8) ^ table[0][(value ^ static_cast<unsigned char>(*next)) & 0xFFU];
+    }
     return ~value;
 }
 

@@ -6,7 +6,7 @@
 namespace isph
 {
 
-/// CRC-32 as zlib, gzip and PNG use it (polynomial 0x04C11DB7, reflected), eight bytes at a time.
+/// CRC-32 as zlib, gzip and PNG use it (polynomial 0x04C11DB7, reflected), in blocks of 16 bytes.
 ///
 /// Detects every change confined to 32 neighbouring bits, so every single byte.
 /// \param before checksum of what came earlier, to go through a file piece by piece

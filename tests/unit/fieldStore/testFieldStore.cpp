@@ -52,6 +52,13 @@ TEST(checksum, isThatOfZlib)
     EXPECT_EQ(crc32(text), 0xCBF43926U); // the check value of the catalogue of CRCs
     EXPECT_EQ(crc32(text.substr(4), crc32(text.substr(0, 4))), 0xCBF43926U);
     EXPECT_EQ(crc32(std::string()), 0U);
+
+    // Blocks and single bytes give the same.
+    std::string bytes(1000, '\0');
+    for (std::size_t n = 0; n < bytes.size(); ++n) { bytes[n] = static_cast<char>(n * n + 7); }
+    std::uint32_t single = 0;
+    for (const char& byte : bytes) { single = crc32(std::span(&byte, 1), single); }
+    EXPECT_EQ(crc32(bytes), single);
 }
 
 TEST(FieldStore, givesBackEveryBit)
