@@ -76,6 +76,7 @@ private:
     void close();
     std::vector<std::pair<std::size_t, std::size_t>> splitArguments(std::size_t open) const;
     [[noreturn]] void failUnknown(const std::string& name, std::size_t position) const;
+    std::optional<std::string> constantNear(const std::string& name) const;
 
     const std::string& text_;
     const Expression::Constants& constants_;
@@ -185,6 +186,27 @@ void Reader::readName()
     emit(" ", begin);
 }
 
+std::optional<std::string> Reader::constantNear(const std::string& name) const
+{
+    // Constants can be asked for but not listed, so the likely slips are tried: case, a letter too many, two swapped.
+    constexpr std::size_t longest = 40; // a longer name is no slip
+    if (!constants_ || name.size() > longest) { return std::nullopt; }
+    for (std::size_t i = 0; i < name.size(); ++i)
+    {
+        std::string otherCase = name;
+        otherCase[i] = isDigit(name[i]) || name[i] == '_' ? name[i] : static_cast<char>(name[i] ^ 0x20);
+        std::string shorter = name;
+        shorter.erase(i, 1);
+        std::string swapped = name;
+        std::swap(swapped[i], swapped[i == 0 ? 0 : i - 1]);
+        for (const std::string& candidate : {otherCase, shorter, swapped})
+        {
+            if (!candidate.empty() && constants_(candidate)) { return candidate; }
+        }
+    }
+    return std::nullopt;
+}
+
 void Reader::failUnknown(const std::string& name, std::size_t position) const
 {
     std::vector<std::string> known = {"x", "y", "z", "t", "pi"};
@@ -192,6 +214,10 @@ void Reader::failUnknown(const std::string& name, std::size_t position) const
     for (const FormulaFunction& function : formulaFunctions()) { known.emplace_back(function.name); }
     const bool isFunction = std::ranges::find(known, name) != known.end();
     if (isFunction) { fail(position, fmt::format("has the function '{}' without its parentheses", name)); }
+    if (const auto constant = constantNear(name))
+    {
+        fail(position, fmt::format("has the unknown name '{}'", name), fmt::format("did you mean '{}'?", *constant));
+    }
     fail(position, fmt::format("has the unknown name '{}'", name),
          suggestion(name, known, fmt::format("define it in the same dictionary, e.g. {} 1;", name)));
 }

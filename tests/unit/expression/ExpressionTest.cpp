@@ -181,6 +181,9 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"sni(x)", "\"sni(x)\" has the unknown function 'sni' (character 1)\n    did you mean 'sin'?"},
         Slip{"1 + qwerty", "\"1 + qwerty\" has the unknown name 'qwerty' (character 5)\n"
                            "    define it in the same dictionary, e.g. qwerty 1;"},
+        Slip{"nuu", "\"nuu\" has the unknown name 'nuu' (character 1)\n    did you mean 'nu'?"},
+        Slip{"Nu", "\"Nu\" has the unknown name 'Nu' (character 1)\n    did you mean 'nu'?"},
+        Slip{"un", "\"un\" has the unknown name 'un' (character 1)\n    did you mean 'nu'?"},
         Slip{"sin", "\"sin\" has the function 'sin' without its parentheses (character 1)"},
         Slip{"$nu", "\"$nu\" has a '$' (character 1)\n    write the name without it"},
         Slip{"sum(x, 1, 2, x)", "\"sum(x, 1, 2, x)\" has a sum over 'x', which is taken (character 5)\n    sum over n"},
