@@ -62,7 +62,10 @@ bool withWisdom(const std::function<void()>& planner)
     planner();
 
     const std::string temporary = file.string() + ".new-" + std::to_string(::getpid());
-    if (fftw_export_wisdom_to_filename(temporary.c_str()) == 0) { return false; }
+    const bool exported = fftw_export_wisdom_to_filename(temporary.c_str()) != 0;
+    // Estimated plans would make use of what is remembered, and then depend on what was measured before.
+    fftw_forget_wisdom();
+    if (!exported) { return false; }
     std::filesystem::rename(temporary, file, refused);
     return !refused;
 }
