@@ -24,6 +24,9 @@ struct FunctionSurroundings
     double pressureScale;     ///< what kinematic pressure is multiplied by for output: 1, or rho where 0/p is in Pa
     std::string pressureUnit; ///< "m2/s2" or "Pa"
     bool pressureFixed;       ///< somewhere on the boundary: then errors of p are taken as they are, else without means
+
+    /// -postProcess: a table that a run wrote is kept, the new one goes beside it as <name>_postProcess.csv.
+    bool besideRun = false;
 };
 
 /// Keys that functions of every type have: type, enabled, timeStart, timeEnd, writeControl, writeInterval.

@@ -67,7 +67,10 @@ const FunctionType forcesType{wallKeys, refuseWalls};
 std::filesystem::path outputFile(const std::string& name, const std::string& file,
                                  const FunctionSurroundings& surroundings)
 {
-    return postProcessingFile(surroundings.theCase.directory(), name, surroundings.startTime, file);
+    const std::filesystem::path path =
+        postProcessingFile(surroundings.theCase.directory(), name, surroundings.startTime, file);
+    if (!surroundings.besideRun || !std::filesystem::exists(path)) { return path; }
+    return path.parent_path() / (path.stem().string() + "_postProcess" + path.extension().string());
 }
 
 std::filesystem::path outputFolder(const std::string& name, const FunctionSurroundings& surroundings)

@@ -38,10 +38,11 @@ static void run(const CommandLine& line, Log& log)
     const Case flowCase(line.caseDirectory());
     const RunLock lock(flowCase.directory());
     removeLeftovers(flowCase.directory());
+    removeLeftovers(flowCase.path("postProcessing"));
     TimeControl control = readTimeControl(flowCase);
     const StartFolder start = findStart(flowCase, control.settings());
     const Scene scene(flowCase, start.folder.name);
-    Functions functions = readFunctions(line, flowCase, scene, control.timeName());
+    Functions functions = readFunctions(line, flowCase, scene, start.folder.name);
     const TimeScheme& scheme = *scene.settings.time;
     RunReport report = openReport(flowCase, scene, threads);
 
@@ -60,8 +61,9 @@ static void run(const CommandLine& line, Log& log)
     const auto write = [&]
     {
         const auto scope = timings.scope(Phase::output);
-        writeFlow(flowCase, control.timeName(), control.state(), scene, *flow);
-        purge.wrote(control.timeName());
+        const std::string name = timeNameOf(flowCase, control);
+        writeFlow(flowCase, name, control.state(), scene, *flow);
+        purge.wrote(name);
     };
     const auto observe = [&]
     {

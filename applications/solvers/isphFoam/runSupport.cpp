@@ -1,5 +1,6 @@
 #include "runSupport.hpp"
 
+#include "case/timeName.hpp"
 #include "core/writeTextFile.hpp"
 
 #include <algorithm>
@@ -19,7 +20,15 @@ Functions readFunctions(const CommandLine& line, const Case& flowCase, const Sce
                                                            .startTime = startTime,
                                                            .pressureScale = scene.files.pressureScale,
                                                            .pressureUnit = scene.files.pressureUnit,
-                                                           .pressureFixed = false});
+                                                           .pressureFixed = false,
+                                                           .besideRun = line.has("postProcess")});
+}
+
+std::string timeNameOf(const Case& flowCase, const TimeControl& control)
+{
+    const TimeSettings& settings = control.settings();
+    return unusedTimeName(flowCase.directory(), control.time(), control.lastStep(), settings.timeFormat,
+                          settings.timePrecision);
 }
 
 FlowAtTime flowAtTime(IncompressibleFlow& flow, const TimeControl& control, const Timings& timings)

@@ -11,8 +11,12 @@ namespace isph
 {
 
 /// The functions of controlDict, none with -noFunctionObjects.
+/// \param startTime name of the time folder they begin at
 Functions readFunctions(const CommandLine& line, const Case& flowCase, const Scene& scene,
                         const std::string& startTime);
+
+/// Name of the folder for the present time: with more digits than asked for where another time has that name already.
+std::string timeNameOf(const Case& flowCase, const TimeControl& control);
 
 /// A flow as its functions see it.
 FlowAtTime flowAtTime(IncompressibleFlow& flow, const TimeControl& control, const Timings& timings);
