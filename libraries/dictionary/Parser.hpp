@@ -40,7 +40,6 @@ private:
     void parseEntry(const Lexeme& key, Dictionary& target);
     Dictionary parseBlock(const std::string& keyword);
     std::vector<Token> parseValue(const std::string& keyword, int line);
-    void expectClosedBrackets(const std::vector<Token>& tokens, const Origin& origin) const;
     void add(Entry entry, Dictionary& target);
     void count(const Entry& entry);
     void countTokens(std::size_t number, int line);

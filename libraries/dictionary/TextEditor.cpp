@@ -29,6 +29,12 @@ std::vector<std::string> split(const std::string& key)
     return parts;
 }
 
+std::string withoutQuotes(std::string text)
+{
+    std::erase(text, '"');
+    return text;
+}
+
 std::string withoutBlanks(const std::string& text)
 {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
@@ -81,9 +87,8 @@ std::optional<std::vector<SpanName>> TextEditor::resolve(const Dictionary& scope
 {
     const auto nameFrom = [&](std::size_t count)
     {
-        std::string text = fmt::format("{}", fmt::join(parts.first(count), "."));
-        const bool quoted = text.starts_with('"');
-        std::erase(text, '"');
+        const bool quoted = parts[0].starts_with('"');
+        std::string text = withoutQuotes(fmt::format("{}", fmt::join(parts.first(count), ".")));
         const Entry* entry = scope.find(text);
         const bool itself = entry != nullptr && entry->keyword() == text;
         return std::pair(SpanName{std::move(text), itself ? entry->isPattern() : quoted}, entry);
@@ -119,18 +124,14 @@ std::vector<SpanName> TextEditor::namesOf(const std::string& key) const
     }
     for (std::size_t i = known; i < parts.size(); ++i)
     {
-        std::string text = parts[i];
-        std::erase(text, '"');
-        names.push_back({std::move(text), parts[i].starts_with('"')});
+        names.push_back({withoutQuotes(parts[i]), parts[i].starts_with('"')});
     }
     return names;
 }
 
 const Entry& TextEditor::entry(const std::string& key) const
 {
-    std::string plain = key;
-    std::erase(plain, '"');
-    if (const Entry* found = dictionary_.findScoped(plain)) { return *found; }
+    if (const Entry* found = dictionary_.findScoped(withoutQuotes(key))) { return *found; }
 
     // Name the nearest key of the innermost dictionary that does exist.
     const Dictionary* scope = &dictionary_;
@@ -182,9 +183,7 @@ std::string TextEditor::inserted(const TextSpan& block, bool whole, const std::s
 void TextEditor::replace(std::string text, const std::string& key, bool expected)
 {
     Dictionary changed = Dictionary::parse(text, shownAs_, folder_);
-    std::string plain = key;
-    std::erase(plain, '"');
-    const bool seen = changed.findScoped(plain) != nullptr;
+    const bool seen = changed.findScoped(withoutQuotes(key)) != nullptr;
     if (seen != expected)
     {
         throw Error(Fault::input, Origin{shownAs_, 0, key},
@@ -195,38 +194,45 @@ void TextEditor::replace(std::string text, const std::string& key, bool expected
     dictionary_ = std::move(changed);
 }
 
+const TextSpan* TextEditor::spanOf(const std::string& key, const std::vector<const TextSpan*>& spans) const
+{
+    // Given more than once, the one that counts is in the line that the reader took it from; none is if that was a
+    // macro or an included file.
+    const Entry* entry = dictionary_.findScoped(withoutQuotes(key));
+    const TextSpan* chosen = nullptr;
+    for (const TextSpan* span : spans)
+    {
+        const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(span->begin), '\n');
+        if (entry != nullptr && entry->origin().file == shownAs_ && entry->origin().line == line) { chosen = span; }
+    }
+    return chosen;
+}
+
 void TextEditor::set(const std::string& key, const std::string& written)
 {
     const std::string value = checkedValue(written, shownAs_, key);
     const std::vector<SpanName> names = namesOf(key);
     const TextSpan root = scanText(text_, shownAs_);
-    std::vector<const TextSpan*> spans = findSpans(root, names);
-    if (!spans.empty())
+    const TextSpan* span = spanOf(key, findSpans(root, names));
+    if (span == nullptr)
     {
-        // Given more than once, the one that counts is in the line that the reader took it from.
-        std::string plain = key;
-        std::erase(plain, '"');
-        const Entry* entry = dictionary_.findScoped(plain);
-        const TextSpan* chosen = spans.back();
-        for (const TextSpan* span : spans)
-        {
-            const auto line =
-                1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(span->begin), '\n');
-            if (entry != nullptr && entry->origin().file == shownAs_ && entry->origin().line == line) { chosen = span; }
-        }
-        const bool block = value.starts_with('{');
-        const std::string blank = chosen->valueBegin == chosen->begin + chosen->keyword.size() ? " " : "";
-        std::string text = text_;
-        const bool keepsSemicolon = !block && !chosen->isDictionary;
-        const std::size_t end = keepsSemicolon ? chosen->valueEnd : chosen->end;
-        text.replace(chosen->valueBegin, end - chosen->valueBegin,
-                     blank + value + (keepsSemicolon || block ? "" : ";"));
-        replace(std::move(text), key, true);
+        insert(key, names, root, value);
         return;
     }
+    const bool block = value.starts_with('{');
+    const bool keepsSemicolon = !block && !span->isDictionary;
+    const std::size_t end = keepsSemicolon ? span->valueEnd : span->end;
+    const bool empty = span->valueBegin == span->valueEnd;
+    std::string text = text_;
+    text.replace(span->valueBegin, end - span->valueBegin,
+                 fmt::format("{}{}{}", empty ? " " : "", value, keepsSemicolon || block ? "" : ";"));
+    replace(std::move(text), key, true);
+}
 
+void TextEditor::insert(const std::string& key, const std::vector<SpanName>& names, const TextSpan& root,
+                        const std::string& value)
+{
     // The innermost dictionary of the key that stands in this text takes the new entry.
-    const std::vector<std::string> parts = split(key);
     const Dictionary* scope = &dictionary_;
     for (std::size_t i = 0; i + 1 < names.size(); ++i)
     {
@@ -263,9 +269,7 @@ void TextEditor::set(const std::string& key, const std::string& written)
 
 void TextEditor::add(const std::string& key, const std::string& value)
 {
-    std::string plain = key;
-    std::erase(plain, '"');
-    const Entry* existing = dictionary_.findScoped(plain);
+    const Entry* existing = dictionary_.findScoped(withoutQuotes(key));
     if (existing != nullptr && existing->keyword() == namesOf(key).back().keyword)
     {
         throw Error(Fault::input, existing->origin(), "exists already", "use -set to change it");
@@ -277,7 +281,7 @@ void TextEditor::remove(const std::string& key)
 {
     static_cast<void>(entry(key)); // names the nearest if there is none
     const TextSpan root = scanText(text_, shownAs_);
-    std::vector<const TextSpan*> spans = findSpans(root, namesOf(key));
+    const std::vector<const TextSpan*> spans = findSpans(root, namesOf(key));
     std::string text = text_;
     for (auto span = spans.rbegin(); span != spans.rend(); ++span)
     {

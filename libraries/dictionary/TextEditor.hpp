@@ -46,6 +46,9 @@ public:
 private:
     static std::optional<std::vector<SpanName>> resolve(const Dictionary& scope, std::span<const std::string> parts);
     std::vector<SpanName> namesOf(const std::string& key) const;
+    const TextSpan* spanOf(const std::string& key, const std::vector<const TextSpan*>& spans) const;
+    void insert(const std::string& key, const std::vector<SpanName>& names, const TextSpan& root,
+                const std::string& value);
     std::string inserted(const TextSpan& block, bool whole, const std::string& key, const std::string& value) const;
     void replace(std::string text, const std::string& key, bool expected);
 

@@ -92,6 +92,11 @@ TEST(TextEditor, ChangesTheEntryThatCounts)
     EXPECT_EQ(afterSet("k { a 1; }\nk { b 2; }\n", "k.a", "3"), "k { a 3; }\nk { b 2; }\n");
 }
 
+TEST(TextEditor, AddsBehindAMacroThatWouldWin)
+{
+    EXPECT_EQ(afterSet("l { a 1; }\nk { a 5; $l; }\n", "k.a", "3"), "l { a 1; }\nk { a 5; $l; a 3; }\n");
+}
+
 TEST(TextEditor, AddsWhereAUserWould)
 {
     EXPECT_EQ(afterSet("a 1;\n\n// *** //\n", "b", "2"), "a 1;\nb               2;\n\n// *** //\n");
