@@ -5,6 +5,7 @@
 #include "core/version.hpp"
 
 #include <array>
+#include <csignal>
 #include <ctime>
 #include <fmt/format.h>
 #include <iostream>
@@ -158,6 +159,8 @@ int finished(const Application& application, int code)
 
 int runApplication(const Application& application, int argc, char** argv, void (*run)(const CommandLine&, Log&))
 {
+    // A file that grows beyond a limit of the machine is an error like a full disk, not the end of the program.
+    std::signal(SIGXFSZ, SIG_IGN);
     std::optional<CommandLine> line;
     bool done = false;
     const std::string typed(application.name);
