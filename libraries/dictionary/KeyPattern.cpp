@@ -11,9 +11,12 @@ namespace
 
 constexpr std::size_t longestPattern = 500;
 constexpr int deepestGroups = 50;
-constexpr long mostRepeats = 1000;
+constexpr long mostRepeats = 200;
+constexpr long largestUnfolded = 2000; // characters, repeats written out
+constexpr std::size_t longestName = 1000;
 
-/// Product of all {n,m} of a pattern, which bounds how far it unfolds; -1 for a back reference or deep nesting.
+/// How often the C library may copy a part of a pattern when it unfolds repeats: {n,m} copies m times, + once more, and
+/// nested ones multiply, so a row of + doubles with each. -1 for a back reference or deep nesting.
 long unfolding(const std::string& text)
 {
     long product = 1;
@@ -27,9 +30,10 @@ long unfolding(const std::string& text)
         }
         else if (text[i] == '(' && ++depth > deepestGroups) { return -1; }
         else if (text[i] == ')') { --depth; }
+        else if (text[i] == '+') { product = std::min(mostRepeats + 1, 2 * product); }
         else if (text[i] == '{')
         {
-            long largest = 1;
+            long largest = 2; // {1,} is a +
             long number = 0;
             for (++i; i < text.size() && text[i] != '}'; ++i)
             {
@@ -54,7 +58,8 @@ std::optional<std::string> KeyPattern::fault(const std::string& text)
 {
     if (text.empty()) { return "is an empty name"; }
     const long repeats = unfolding(text);
-    if (text.size() > longestPattern || text.find('\0') != std::string::npos || repeats < 0 || repeats > mostRepeats)
+    if (text.size() > longestPattern || text.find('\0') != std::string::npos || repeats < 0 ||
+        repeats * static_cast<long>(text.size()) > largestUnfolded)
     {
         return "is too complicated a pattern";
     }
@@ -79,6 +84,7 @@ KeyPattern::~KeyPattern() { regfree(&compiled_->expression); }
 
 bool KeyPattern::matches(std::string_view name) const
 {
+    if (name.size() > longestName) { return false; }
     // The leftmost longest match is the whole name if any match is.
     const std::string subject(name);
     regmatch_t match;

@@ -164,6 +164,7 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"a 1e999;", ":1: has the number 1e999, which is too large or too small to hold"},
         Slip{"\"x(\" 1;", ":1: x(: is not a regular expression: Unmatched ( or \\("},
         Slip{"\"\" 1;", ":1: is an empty name"}, Slip{"\"(a)\\1\" 1;", ":1: (a)\\1: is too complicated a pattern"},
+        Slip{"\"a++++++++++++++++++++++++\" 1;", ":1: a++++++++++++++++++++++++: is too complicated a pattern"},
         Slip{"\"((a{99}){99}){99}\" 1;", ":1: ((a{99}){99}){99}: is too complicated a pattern"}));
 
 TEST(Grammar, LimitsWhatHostileTextMayCost)
