@@ -22,6 +22,11 @@ class BadInput(CaseTest):
         if at is not None:
             self.assertIn(f"{at[0]}:{at[1]}:", said)
         self.assertNotIn("bug", said.lower())
+        if by == "isphFoam" and code == 1:
+            check = case.run("checkCase", timeout=60)
+            self.assertEqual(check.returncode, 1, "checkCase sees nothing wrong: " + said)
+            for part in expected:
+                self.assertIn(part, check.stderr + check.stdout)
         self.assertEqual(case.state(), before, "something was written")
         return said
 
