@@ -57,6 +57,26 @@ private:
     void advanceStretch(std::size_t row, std::size_t begin, std::size_t end, const Substep& substep, double dt,
                         const SpectralField& from, SpectralField& to);
 
+    /// Modes handled together, with their buffers.
+    struct Stretch
+    {
+        std::size_t row;
+        std::size_t begin; ///< index of the first mode in its row
+        std::size_t first; ///< and in a component
+        std::size_t length;
+        std::array<double*, 3> d = {};      ///< the derivative's symbol, later the direction of the projection
+        std::array<Complex*, 3> rate = {};  ///< F
+        std::array<Complex*, 3> value = {}; ///< u*, later the velocity
+    };
+
+    /// Convection, force, and the viscous term where it is explicit.
+    void evaluateRate(const Stretch& modes, const SpectralField& from) const;
+    /// u* = E (u + dt (g F + z F_before))
+    void predictVelocity(const Stretch& modes, const Substep& substep, double dt, const SpectralField& from);
+    /// u = u* - d (d . u*)/L, along k where that is the same; the pressure acts over period.
+    void projectVelocity(const Stretch& modes, double period);
+    void filterVelocity(const Stretch& modes) const;
+
     Lattice lattice_;
     const Fluid& fluid_;
     const FlowSettings& settings_;

@@ -53,105 +53,130 @@ void SpectralFlow::advance(const Substep& substep, double t, double dt)
 void SpectralFlow::advanceStretch(std::size_t row, std::size_t begin, std::size_t end, const Substep& substep,
                                   double dt, const SpectralField& from, SpectralField& to)
 {
-    const int dimensions = lattice_.dimensions();
-    const std::size_t first = derivative_.rows().offset(row) + begin;
-    const std::size_t length = end - begin;
     alignas(64) double d[3][stretch];
     // Pairs of doubles: an array of complex numbers would be set to zero first.
-    alignas(64) double rateStore[3][2 * stretch];
-    alignas(64) double valueStore[3][2 * stretch];
-    const auto complexes = [](double* pairs) { return reinterpret_cast<Complex*>(pairs); };
-    const std::array<Complex*, 3> rate{complexes(rateStore[0]), complexes(rateStore[1]), complexes(rateStore[2])};
-    const std::array<Complex*, 3> value{complexes(valueStore[0]), complexes(valueStore[1]), complexes(valueStore[2])};
-    derivative_.row(row, begin, end, {d[0], d[1], d[2]});
-    const ModeSpan span{first, length, {d[0], d[1], d[2]}};
-
-    // Rate: convection, force, and the viscous term where it is explicit.
-    const double scale = 1.0 / static_cast<double>(lattice_.points());
-    if (convection_) { convection_->rate(span, productModes_, scale, rate); }
-    for (std::size_t c = 0; c < static_cast<std::size_t>(dimensions); ++c)
+    alignas(64) double rate[3][2 * stretch];
+    alignas(64) double value[3][2 * stretch];
+    Stretch modes{.row = row, .begin = begin, .first = derivative_.rows().offset(row) + begin, .length = end - begin};
+    for (std::size_t c = 0; c < 3; ++c)
     {
-        if (!convection_) { std::fill_n(rate[c], length, Complex(0)); }
+        modes.d[c] = d[c];
+        modes.rate[c] = reinterpret_cast<Complex*>(rate[c]);
+        modes.value[c] = reinterpret_cast<Complex*>(value[c]);
+    }
+    // The next substep's transform wants the velocity as well: it is made where that one looks for it.
+    const int dimensions = lattice_.dimensions();
+    for (int c = 0; convection_ && c < dimensions; ++c)
+    {
+        modes.value[static_cast<std::size_t>(c)] = inputModes_[c].data() + modes.first;
+    }
+
+    derivative_.row(row, begin, end, modes.d);
+    evaluateRate(modes, from);
+    predictVelocity(modes, substep, dt, from);
+    projectVelocity(modes, substep.a * dt);
+    if (substep.last && !filterFactors_[0].empty()) { filterVelocity(modes); }
+    for (int c = 0; c < dimensions; ++c)
+    {
+        std::copy_n(modes.value[static_cast<std::size_t>(c)], modes.length, to[c].data() + modes.first);
+    }
+    if (!convection_ || convection_->inputs() == dimensions) { return; }
+    derivative_.row(row, begin, end, modes.d);
+    convection_->deriveInputs({modes.first, modes.length, {modes.d[0], modes.d[1], modes.d[2]}}, inputModes_);
+}
+
+void SpectralFlow::evaluateRate(const Stretch& modes, const SpectralField& from) const
+{
+    const double scale = 1.0 / static_cast<double>(lattice_.points());
+    if (convection_)
+    {
+        convection_->rate({modes.first, modes.length, {modes.d[0], modes.d[1], modes.d[2]}}, productModes_, scale,
+                          modes.rate);
+    }
+    for (int c = 0; c < lattice_.dimensions(); ++c)
+    {
+        Complex* rate = modes.rate[static_cast<std::size_t>(c)];
+        if (!convection_) { std::fill_n(rate, modes.length, Complex(0)); }
         if (fluid_.bodyForce)
         {
-            const Complex* force = forceModes_[static_cast<int>(c)].data() + first;
-            for (std::size_t i = 0; i < length; ++i) { rate[c][i] += scale * force[i]; }
+            const Complex* force = forceModes_[c].data() + modes.first;
+            for (std::size_t i = 0; i < modes.length; ++i) { rate[i] += scale * force[i]; }
         }
         if (!viscousSymbol_.empty() && !viscousFactors_)
         {
-            const Complex* u = from[static_cast<int>(c)].data() + first;
-            const double* lambda = viscousSymbol_.data() + first;
-            for (std::size_t i = 0; i < length; ++i) { rate[c][i] -= lambda[i] * u[i]; }
+            const Complex* u = from[c].data() + modes.first;
+            const double* lambda = viscousSymbol_.data() + modes.first;
+            for (std::size_t i = 0; i < modes.length; ++i) { rate[i] -= lambda[i] * u[i]; }
         }
     }
+}
 
-    // Predictor: u* = E (u + dt (g F + z F_before)).
+void SpectralFlow::predictVelocity(const Stretch& modes, const Substep& substep, double dt, const SpectralField& from)
+{
     Prediction prediction{.now = dt * substep.g,
                           .before = dt * substep.z,
                           .lessOne = nullptr,
                           .first = substep.first,
                           .last = substep.last};
-    if (viscousFactors_) { prediction.lessOne = viscousFactors_->lessOne(substep).data() + first; }
+    if (viscousFactors_) { prediction.lessOne = viscousFactors_->lessOne(substep).data() + modes.first; }
     const bool meanFlow = meanFlowFactors_ && meanFlowFactors_->active();
-    for (std::size_t c = 0; c < static_cast<std::size_t>(dimensions); ++c)
+    for (int c = 0; c < lattice_.dimensions(); ++c)
     {
-        Complex* carried = rate_[static_cast<int>(c)].data() + first;
-        predict(prediction, from[static_cast<int>(c)].data() + first, rate[c], carried, value[c], length);
+        const auto component = static_cast<std::size_t>(c);
+        Complex* carried = rate_[c].data() + modes.first;
+        predict(prediction, from[c].data() + modes.first, modes.rate[component], carried, modes.value[component],
+                modes.length);
         if (!meanFlow) { continue; }
-        const Complex ofRow = meanFlowFactors_->ofRow(substep, row);
-        multiplyByPhase(value[c], meanFlowFactors_->first(substep) + begin, ofRow, length);
-        if (!substep.last) { multiplyByPhase(carried, meanFlowFactors_->first(substep) + begin, ofRow, length); }
+        const Complex ofRow = meanFlowFactors_->ofRow(substep, modes.row);
+        const Complex* phase = meanFlowFactors_->first(substep) + modes.begin;
+        multiplyByPhase(modes.value[component], phase, ofRow, modes.length);
+        if (!substep.last) { multiplyByPhase(carried, phase, ofRow, modes.length); }
+    }
+}
+
+void SpectralFlow::projectVelocity(const Stretch& modes, double period)
+{
+    if (projectAlongWavevector_)
+    {
+        derivative_.wavevectorRow(modes.row, modes.begin, modes.begin + modes.length, modes.d);
+    }
+    const std::array<const double*, 3> d{modes.d[0], modes.d[1], modes.d[2]};
+    const double* inverse = inverse_.data() + modes.first;
+    if (!settings_.incremental)
+    {
+        project(d, inverse, lattice_.dimensions(), modes.value, nullptr, modes.length);
+        return;
     }
 
-    // Projection: u = u* - d (d . u*)/L, along k where that is the same.
-    const double period = substep.a * dt;
-    if (settings_.incremental)
+    // The predictor knows the old pressure; phi = -i (d . u*)/(L period) is what that one lacked.
+    Complex* p = pressureModes_[0].data() + modes.first;
+    for (std::size_t c = 0; c < static_cast<std::size_t>(lattice_.dimensions()); ++c)
     {
-        const Complex* p = pressureModes_[0].data() + first;
-        for (std::size_t c = 0; c < static_cast<std::size_t>(dimensions); ++c)
+        for (std::size_t i = 0; i < modes.length; ++i)
         {
-            for (std::size_t i = 0; i < length; ++i)
-            {
-                const double slope = period * d[c][i];
-                value[c][i] += Complex(slope * p[i].imag(), -slope * p[i].real());
-            }
+            const double slope = period * d[c][i];
+            modes.value[c][i] += Complex(slope * p[i].imag(), -slope * p[i].real());
         }
     }
-    if (projectAlongWavevector_) { derivative_.wavevectorRow(row, begin, end, {d[0], d[1], d[2]}); }
-    Complex* multiplier = settings_.incremental ? rate[0] : nullptr; // the rate was used up
-    project({d[0], d[1], d[2]}, inverse_.data() + first, dimensions, value, multiplier, length);
-    if (settings_.incremental)
+    Complex* multiplier = modes.rate[0]; // the rate was used up
+    project(d, inverse, lattice_.dimensions(), modes.value, multiplier, modes.length);
+    for (std::size_t i = 0; i < modes.length; ++i)
     {
-        // phi = -i (d . u*)/(L a dt) is what the pressure lacked.
-        Complex* p = pressureModes_[0].data() + first;
-        for (std::size_t i = 0; i < length; ++i)
-        {
-            p[i] += Complex(multiplier[i].imag(), -multiplier[i].real()) / period;
-        }
+        p[i] += Complex(multiplier[i].imag(), -multiplier[i].real()) / period;
     }
+}
 
-    for (std::size_t c = 0; c < static_cast<std::size_t>(dimensions); ++c)
+void SpectralFlow::filterVelocity(const Stretch& modes) const
+{
+    const ModeRows& rows = derivative_.rows();
+    double ofRow = 1;
+    for (int axis = 1; axis < lattice_.dimensions(); ++axis)
     {
-        if (substep.last && !filterFactors_[0].empty())
-        {
-            const ModeRows& rows = derivative_.rows();
-            double ofRow = 1;
-            for (int axis = 1; axis < dimensions; ++axis)
-            {
-                ofRow *= filterFactors_[static_cast<std::size_t>(axis)][rows.index(row, axis)];
-            }
-            multiplyByFactors(value[c], filterFactors_[0].data() + begin, ofRow, length);
-        }
-        std::copy_n(value[c], length, to[static_cast<int>(c)].data() + first);
-        if (convection_) { std::copy_n(value[c], length, inputModes_[static_cast<int>(c)].data() + first); }
+        ofRow *= filterFactors_[static_cast<std::size_t>(axis)][rows.index(modes.row, axis)];
     }
-    if (convection_)
+    for (std::size_t c = 0; c < static_cast<std::size_t>(lattice_.dimensions()); ++c)
     {
-        if (projectAlongWavevector_ && convection_->inputs() > dimensions)
-        {
-            derivative_.row(row, begin, end, {d[0], d[1], d[2]});
-        }
-        convection_->deriveInputs(span, inputModes_);
+        multiplyByFactors(modes.value[c], filterFactors_[0].data() + modes.begin, ofRow, modes.length);
     }
 }
 
