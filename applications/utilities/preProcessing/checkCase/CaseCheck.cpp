@@ -1,0 +1,100 @@
+#include "CaseCheck.hpp"
+
+#include "lattice/fastCounts.hpp"
+#include "lattice/memoryEstimate.hpp"
+
+#include <fmt/format.h>
+
+namespace isph
+{
+
+namespace
+{
+
+using Warnings = std::vector<std::string>;
+
+void warnOfLattice(const Lattice& lattice, Warnings& warnings)
+{
+    for (int d = 0; d < lattice.dimensions(); ++d)
+    {
+        const Axis& axis = lattice.activeAxis(d);
+        if (isFastCount(axis.count)) { continue; }
+        warnings.push_back(
+            fmt::format("transforms of length {} along {} are slow: {} and {} are the nearest fast counts", axis.count,
+                        axis.name, fastCountBelow(axis.count), fastCountAbove(axis.count)));
+    }
+}
+
+void warnOfKernel(const KernelResolution& kernel, Warnings& warnings)
+{
+    if (kernel.defect < 1e-3) { return; }
+    warnings.push_back(
+        fmt::format("the samples of the kernel leave an error of {:.2g} in the derivative of the longest "
+                    "waves, which more points do not lower: take a larger supportRadius or "
+                    "smoothingLength, renormalise yes; or symbol closed;",
+                    kernel.defect));
+}
+
+void warnOfOperators(const OperatorBounds& bounds, const Fluid& fluid, Warnings& warnings)
+{
+    // Round-off of a transformed kernel is far below this.
+    if (bounds.leastLaplacian >= -1e-9 * bounds.laplacian) { return; }
+    warnings.push_back(
+        fmt::format("the sampled Laplacian is anti-diffusive for some waves: viscosity makes them grow, at "
+                    "up to {:.3g} 1/s (damping reaches {:.3g} 1/s): take laplacian morris;",
+                    -fluid.nu * bounds.leastLaplacian, fluid.nu * bounds.laplacian));
+}
+
+void warnOfSteps(const StepForecast& steps, const TimeControl& control, Warnings& warnings)
+{
+    if (steps.step == 0)
+    {
+        warnings.push_back(
+            fmt::format("the run starts at its endTime, {} s: there is nothing to do", control.settings().endTime));
+        return;
+    }
+    if (steps.step <= steps.largestStable) { return; }
+    warnings.push_back(fmt::format("{} {:.4g} s is {:.3g} times the largest stable step of the start, {:.4g} s (the {} "
+                                   "term rules): the run may diverge; write deltaT auto; or at most {:.4g}",
+                                   control.settings().deltaT ? "deltaT" : "the step of deltaT auto,", steps.step,
+                                   steps.step / steps.largestStable, steps.largestStable, steps.ruling,
+                                   0.8 * steps.largestStable));
+}
+
+} // namespace
+
+CaseCheck checkCase(const std::filesystem::path& directory)
+{
+    CaseCheck check;
+    check.reading = readWholeCase(directory);
+    CaseReading& reading = check.reading;
+    Warnings& warnings = reading.warnings;
+    check.choices = schemeChoices(reading);
+    if (!reading.lattice) { return check; }
+    const Lattice& lattice = *reading.lattice;
+    warnOfLattice(lattice, warnings);
+    check.memory = solverMemory(lattice);
+    if (!reading.settings) { return check; }
+
+    const FlowSettings& settings = *reading.settings;
+    const Fluid& fluid = *reading.fluid;
+    check.scene = describeScene(lattice, fluid, settings);
+    try
+    {
+        const bool viscous = fluid.nu > 0;
+        check.kernel =
+            kernelResolution(lattice, settings.kernel, viscous ? std::optional(settings.laplacian) : std::nullopt);
+        warnOfKernel(*check.kernel, warnings);
+        if (!reading.control || !reading.velocity) { return check; }
+        check.steps = forecastSteps(lattice, fluid, settings, *reading.control, *reading.velocity);
+        warnOfOperators(check.steps->bounds, fluid, warnings);
+        warnOfSteps(*check.steps, *reading.control, warnings);
+    }
+    catch (const Error& error)
+    {
+        reading.slips.insert(reading.slips.end(), error.complaints().begin(), error.complaints().end());
+    }
+    return check;
+}
+
+} // namespace isph
