@@ -11,6 +11,18 @@ using Complex = Convection::Complex;
 /// i d c, without the checks for infinities that complex multiplication makes.
 inline Complex timesI(double d, const Complex& c) { return {-d * c.imag(), d * c.real()}; }
 
+/// Products that are the rate already, but for their scale.
+void scaledProducts(const ModeSpan& span, const SpectralField& products, double scale, int components,
+                    const std::array<Complex*, 3>& rate)
+{
+    for (int c = 0; c < components; ++c)
+    {
+        const Complex* product = products[c].data() + span.first;
+        Complex* out = rate[static_cast<std::size_t>(c)];
+        for (std::size_t i = 0; i < span.length; ++i) { out[i] = scale * product[i]; }
+    }
+}
+
 /// Divergence of u u with its last diagonal entry taken off the whole diagonal: that part is a pure gradient, which the
 /// projection removes. 2-D: uu - vv, uv. 3-D: uu - ww, vv - ww, uv, uw, vw.
 template<int D>
@@ -143,12 +155,7 @@ public:
     void rate(const ModeSpan& span, const SpectralField& products, double scale,
               const std::array<Complex*, 3>& rate) const override
     {
-        for (int c = 0; c < D; ++c)
-        {
-            const Complex* product = products[c].data() + span.first;
-            Complex* out = rate[static_cast<std::size_t>(c)];
-            for (std::size_t i = 0; i < span.length; ++i) { out[i] = scale * product[i]; }
-        }
+        scaledProducts(span, products, scale, D, rate);
     }
 
 private:
@@ -220,12 +227,7 @@ public:
     void rate(const ModeSpan& span, const SpectralField& products, double scale,
               const std::array<Complex*, 3>& rate) const override
     {
-        for (int c = 0; c < D; ++c)
-        {
-            const Complex* product = products[c].data() + span.first;
-            Complex* out = rate[static_cast<std::size_t>(c)];
-            for (std::size_t i = 0; i < span.length; ++i) { out[i] = scale * product[i]; }
-        }
+        scaledProducts(span, products, scale, D, rate);
     }
 
 private:

@@ -14,7 +14,7 @@ OutputPressure::OutputPressure(const Lattice& lattice)
 {
 }
 
-void OutputPressure::evaluate(const RealField& velocity, const RealField* force, RealField& pressure)
+void OutputPressure::evaluate(const RealField* velocity, const RealField* force, RealField& pressure)
 {
     const auto sum = sum_[0];
     const auto modes = modes_[0];
@@ -39,11 +39,11 @@ void OutputPressure::evaluate(const RealField& velocity, const RealField* force,
         }
     };
 
-    for (int a = 0; a < rows_.dimensions(); ++a)
+    for (int a = 0; velocity != nullptr && a < rows_.dimensions(); ++a)
     {
         for (int b = a; b < rows_.dimensions(); ++b)
         {
-            std::ranges::transform(velocity[a], velocity[b], real_[0].begin(), std::multiplies{});
+            std::ranges::transform((*velocity)[a], (*velocity)[b], real_[0].begin(), std::multiplies{});
             const double twice = a == b ? 1 : 2;
             addTransform([a = static_cast<std::size_t>(a), b = static_cast<std::size_t>(b),
                           twice](const std::array<double, 3>& k, double k2, const std::complex<double>& c)

@@ -15,9 +15,9 @@ class OutputPressure
 public:
     explicit OutputPressure(const Lattice& lattice);
 
-    /// \param velocity its first components; their uniform mean may be left out
+    /// \param velocity its first components, a uniform mean may be left out; null: no convection
     /// \param force one component for each active axis, or null
-    void evaluate(const RealField& velocity, const RealField* force, RealField& pressure);
+    void evaluate(const RealField* velocity, const RealField* force, RealField& pressure);
 
 private:
     ModeRows rows_;

@@ -237,10 +237,8 @@ const RealField& PhysicalFlow::pressure(double t)
         pressure_ = RealField(1, lattice_.points());
     }
     if (fluid_.bodyForce) { fluid_.bodyForce->evaluate(t, force_); }
-    const RealField still = settings_.convection == ConvectionForm::none
-                                ? RealField(lattice_.dimensions(), lattice_.points())
-                                : RealField();
-    outputPressure_->evaluate(still.size() > 0 ? still : velocity_, fluid_.bodyForce ? &force_ : nullptr, pressure_);
+    const bool convects = settings_.convection != ConvectionForm::none;
+    outputPressure_->evaluate(convects ? &velocity_ : nullptr, fluid_.bodyForce ? &force_ : nullptr, pressure_);
     return pressure_;
 }
 

@@ -253,15 +253,8 @@ const RealField& SpectralFlow::pressure(double t)
         pressure_ = RealField(1, lattice_.points());
     }
     if (fluid_.bodyForce) { fluid_.bodyForce->evaluate(t, force_); }
-    const RealField& u = convection_ ? (ensureInputs(), points_) : velocity();
-    if (!convection_)
-    {
-        // No convection: the pressure balances the force alone.
-        RealField still(lattice_.dimensions(), lattice_.points());
-        outputPressure_->evaluate(still, fluid_.bodyForce ? &force_ : nullptr, pressure_);
-        return pressure_;
-    }
-    outputPressure_->evaluate(u, fluid_.bodyForce ? &force_ : nullptr, pressure_);
+    if (convection_) { ensureInputs(); }
+    outputPressure_->evaluate(convection_ ? &points_ : nullptr, fluid_.bodyForce ? &force_ : nullptr, pressure_);
     return pressure_;
 }
 
