@@ -21,10 +21,10 @@ double solverMemory(double points, double modes, const SolverStorage& storage)
 {
     const int spectral = storage.spectralVectors * storage.dimensions + storage.products + storage.spectralScalars;
     const int real = storage.realVectors * storage.dimensions + storage.products + storage.realScalars;
-    return 8.0 * (points * real + modes * (2 * spectral + storage.tables));
+    return programMemory + 8.0 * (points * real + modes * (2 * spectral + storage.tables));
 }
 
-double solverMemory(const Lattice& lattice)
+double solverMemory(const Lattice& lattice, const SolverStorage& storage)
 {
     double points = 1;
     double modes = 1;
@@ -34,7 +34,12 @@ double solverMemory(const Lattice& lattice)
         points *= n;
         modes *= d == 0 ? n / 2 + 1 : n;
     }
-    return solverMemory(points, modes, periodicSolverStorage(lattice.dimensions()));
+    return solverMemory(points, modes, storage);
+}
+
+double solverMemory(const Lattice& lattice)
+{
+    return solverMemory(lattice, periodicSolverStorage(lattice.dimensions()));
 }
 
 double machineMemory()

@@ -8,30 +8,36 @@
 namespace isph
 {
 
-/// What a solver keeps for every point and every mode, in numbers of arrays.
+/// What a solver keeps for every point and every mode at the time it needs most, which is when it writes: in numbers of
+/// arrays.
 ///
 /// A mode array has (n/2 + 1) complex coefficients along the first active axis. The defaults are those of the periodic
-/// solver; the traceless products of the velocity (2 in two dimensions, 5 in three) stand for the convective term.
+/// solver; the traceless products of the velocity (2 in two dimensions, 5 in three) stand for the convective term. The
+/// file is put together in memory before it is written.
 struct SolverStorage
 {
     int dimensions = 2;
-    int spectralVectors = 3; ///< the velocity that is marched, the previous rate, a working copy
+    int spectralVectors = 5; ///< velocity, the one before, the rate, inputs of the convective term; velocity in the file
     int realVectors = 1;     ///< the velocity at the points
     int products = 2;        ///< products of velocity components, at the points and as modes
-    int spectralScalars = 1; ///< the pressure
-    int realScalars = 1;
-    int tables = 3; ///< real factors per mode: symbol, viscous operator, inverse Laplacian
+    int spectralScalars = 3; ///< of the written pressure and of the divergence
+    int realScalars = 7;     ///< pressure, its stress, divergence; three components of velocity and the pressure in the file
+    int tables = 6;          ///< real factors per mode: symbol, viscous operator, its three factors, inverse Laplacian
 };
 
 /// The storage of the periodic solver in two or three dimensions.
 SolverStorage periodicSolverStorage(int dimensions);
 
-/// Memory of such a solver [bytes]; a floating-point number, so that nothing overflows.
+/// What a program needs before it has a single point [bytes].
+inline constexpr double programMemory = 20e6;
+
+/// Memory of such a solver [bytes], without its functions; a floating-point number, so that nothing overflows.
 /// \param points of the lattice
 /// \param modes complex coefficients of one component
 double solverMemory(double points, double modes, const SolverStorage& storage);
 
-/// Memory the solver will need for this lattice [bytes].
+/// Memory of a solver with this storage, or with that of the periodic solver, on a lattice [bytes].
+double solverMemory(const Lattice& lattice, const SolverStorage& storage);
 double solverMemory(const Lattice& lattice);
 
 /// Memory of this machine [bytes].

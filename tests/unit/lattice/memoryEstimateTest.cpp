@@ -13,10 +13,10 @@ Axis periodicAxis(char name, int count) { return {name, 0, 1, count, Axis::Ends:
 
 TEST(MemoryEstimate, CountsEveryArray)
 {
-    // 10 points, 6 modes; 2-D: (3*2 + 2 + 1) complex and 3 real per mode, (2 + 2 + 1) real per point.
-    EXPECT_EQ(solverMemory(10, 6, periodicSolverStorage(2)), 8 * (6 * (2 * 9 + 3) + 10 * 5));
-    // 3-D: (3*3 + 5 + 1) complex and 3 real per mode, (3 + 5 + 1) real per point.
-    EXPECT_EQ(solverMemory(10, 6, periodicSolverStorage(3)), 8 * (6 * (2 * 15 + 3) + 10 * 9));
+    // 10 points, 6 modes; 2-D: (5*2 + 2 + 3) complex and 6 real per mode, (2 + 2 + 7) real per point.
+    EXPECT_EQ(solverMemory(10, 6, periodicSolverStorage(2)), programMemory + 8 * (6 * (2 * 15 + 6) + 10 * 11));
+    // 3-D: (5*3 + 5 + 3) complex and 6 real per mode, (3 + 5 + 7) real per point.
+    EXPECT_EQ(solverMemory(10, 6, periodicSolverStorage(3)), programMemory + 8 * (6 * (2 * 23 + 6) + 10 * 15));
 }
 
 TEST(MemoryEstimate, HalvesTheModesOfTheFirstActiveAxis)

@@ -1,5 +1,6 @@
 #include "CaseCheck.hpp"
 
+#include "flow/flowMemory.hpp"
 #include "lattice/fastCounts.hpp"
 #include "lattice/memoryEstimate.hpp"
 
@@ -79,6 +80,7 @@ CaseCheck checkCase(const std::filesystem::path& directory)
     const FlowSettings& settings = *reading.settings;
     const Fluid& fluid = *reading.fluid;
     check.scene = describeScene(lattice, fluid, settings);
+    check.memory = flowMemory(lattice, fluid, settings);
     try
     {
         const bool viscous = fluid.nu > 0;

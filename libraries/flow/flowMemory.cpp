@@ -1,0 +1,61 @@
+#include "flow/flowMemory.hpp"
+
+#include "flow/Convection.hpp"
+#include "lattice/memoryEstimate.hpp"
+
+#include <algorithm>
+
+namespace isph
+{
+
+namespace
+{
+
+SolverStorage spectralStorage(int dimensions, const Fluid& fluid, const FlowSettings& settings)
+{
+    SolverStorage storage = periodicSolverStorage(dimensions);
+    const auto convection =
+        makeConvection(settings.convection, dimensions, settings.eigenvalues == Eigenvalues::consistent);
+    const int inputs = convection ? convection->inputs() : 0;
+    storage.products = convection ? convection->products() : 0;
+    storage.spectralScalars += inputs - dimensions;                // a vector of inputs is in the defaults
+    storage.realScalars += std::max(inputs - storage.products, 0); // inputs and products share their place
+    if (fluid.bodyForce)
+    {
+        ++storage.spectralVectors;
+        ++storage.realVectors;
+    }
+    if (settings.incremental) { storage.spectralScalars += 3; } // now, before the step, in the file
+
+    const bool sampled = settings.kernel.symbol == KernelSettings::Symbol::sampled;
+    const int symbols = sampled ? dimensions : settings.kernel.exact() ? 0 : 1;
+    const auto substeps = static_cast<int>(settings.time->substeps.size());
+    const int viscous = fluid.nu == 0 ? 0 : settings.integratingFactor ? 1 + substeps : 1;
+    storage.tables = symbols + viscous + 1;
+    return storage;
+}
+
+SolverStorage physicalStorage(int dimensions, const Fluid& fluid, const FlowSettings& settings)
+{
+    // Velocity, the one before, two rates, a gradient, perhaps Laplacian and force; the velocity once more in the file.
+    SolverStorage storage;
+    storage.dimensions = dimensions;
+    storage.spectralVectors = 0;
+    storage.realVectors = 6 + (fluid.nu > 0 ? 1 : 0) + (fluid.bodyForce ? 1 : 0);
+    storage.products = 1;
+    storage.spectralScalars = 3; // of the pressure equation and of the written pressure; a product's share is above
+    storage.realScalars = 9 + (settings.incremental ? 3 : 0);
+    storage.tables = dimensions + 1;
+    return storage;
+}
+
+} // namespace
+
+double flowMemory(const Lattice& lattice, const Fluid& fluid, const FlowSettings& settings)
+{
+    const int dimensions = lattice.dimensions();
+    return solverMemory(lattice, settings.directSum ? physicalStorage(dimensions, fluid, settings)
+                                                    : spectralStorage(dimensions, fluid, settings));
+}
+
+} // namespace isph
