@@ -153,6 +153,13 @@ void PhysicalFlow::addConvection()
             for (int j = 0; j < dimensions; ++j)
             {
                 std::ranges::transform(velocity_[c], velocity_[j], product.begin(), std::multiplies{});
+                if (j == c)
+                {
+                    // The trace that the form leaves to the projection, which takes all of it only where it is exact.
+                    const auto last = velocity_[dimensions - 1];
+                    std::ranges::transform(product, last, product.begin(),
+                                           [](double square, double w) { return square - w * w; });
+                }
                 operators_->gradient(products_, 0, gradient_);
                 std::ranges::transform(rate_[c], gradient_[j], rate_[c].begin(),
                                        [divergenceShare](double rate, double slope)
