@@ -17,11 +17,11 @@ namespace isph
 struct SolverStorage
 {
     int dimensions = 2;
-    int spectralVectors = 5; ///< velocity, the one before, the rate, inputs of the convective term; velocity in the file
+    int spectralVectors = 5; ///< velocity, the one before, its rate, inputs of the convective term; and in the file
     int realVectors = 1;     ///< the velocity at the points
     int products = 2;        ///< products of velocity components, at the points and as modes
     int spectralScalars = 3; ///< of the written pressure and of the divergence
-    int realScalars = 7;     ///< pressure, its stress, divergence; three components of velocity and the pressure in the file
+    int realScalars = 7;     ///< pressure, its stress, divergence; in the file three components and the pressure
     int tables = 6;          ///< real factors per mode: symbol, viscous operator, its three factors, inverse Laplacian
 };
 
