@@ -1,81 +1,104 @@
 #include "operators/KernelSamples.hpp"
 
+#include "core/Error.hpp"
 #include "neighbours/LatticeStencil.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace isph
 {
 
+namespace
+{
+
+/// The kernel's quotients at an offset, times the volume of a point over prod h.
+struct Sample
+{
+    std::array<double, 3> scaled{0, 0, 0}; ///< x_j/h_j
+    double q2 = 0;
+    double f = 0;
+    double g = 0;
+};
+
+Sample sampleAt(const std::array<int, 3>& offset, const KernelSettings& settings, int dimensions)
+{
+    Sample sample;
+    for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions); ++d)
+    {
+        sample.scaled[d] = offset[d] / settings.smoothingLength;
+        sample.q2 += sample.scaled[d] * sample.scaled[d];
+    }
+    const double q = std::sqrt(sample.q2);
+    const double volume = std::pow(settings.smoothingLength, -dimensions);
+    sample.f = volume * settings.kernel->f(q, dimensions);
+    sample.g = volume * settings.kernel->g(q, dimensions);
+    return sample;
+}
+
+/// What a consistent operator would have as 1: the sums of the weights with the squares they should differentiate.
+struct Moments
+{
+    double first = 1;  ///< of the gradient, and of Morris' Laplacian
+    double second = 1; ///< of the kernel's second derivatives
+};
+
+Moments momentsOf(const std::vector<Sample>& samples, int dimensions)
+{
+    Moments moments{0, 0};
+    for (const Sample& sample : samples)
+    {
+        moments.first -= sample.q2 * sample.f / dimensions;
+        moments.second += 0.5 * sample.q2 * (sample.f + sample.q2 * sample.g / dimensions);
+    }
+    return moments;
+}
+
+} // namespace
+
 KernelSamples::KernelSamples(const Lattice& lattice, const KernelSettings& settings, LaplacianForm form)
     : offsets(latticeStencil(lattice, settings.smoothingLength, settings.supportRadius))
 {
+    if (offsets.size() == 1)
+    {
+        throw Error(Fault::input, "the support of the sampled kernel reaches no neighbour",
+                    "choose a larger supportRadius or smoothingLength");
+    }
     const int dimensions = lattice.dimensions();
-    const Kernel& kernel = *settings.kernel;
-    std::array<double, 3> dx{1, 1, 1};
-    std::array<double, 3> h{1, 1, 1};
-    double scale = 1; // volume of a point over prod h
+    std::array<double, 3> h{0, 0, 0};
     for (int d = 0; d < dimensions; ++d)
     {
-        const auto axis = static_cast<std::size_t>(d);
-        dx[axis] = lattice.activeAxis(d).spacing();
-        h[axis] = settings.smoothingLength * dx[axis];
-        scale /= settings.smoothingLength;
+        h[static_cast<std::size_t>(d)] = settings.smoothingLength * lattice.activeAxis(d).spacing();
     }
+    const double widest = *std::ranges::max_element(h);
+    const double morrisShare = form == LaplacianForm::morris ? 1 / (widest * widest) : 0;
 
-    std::array<double, 3> firstMoment{0, 0, 0}; // of gradient[j] with x_j; 1 for a consistent operator
-    double secondMoment = 0;                    // of the second-derivative Laplacian at equal spacings, likewise
+    std::vector<Sample> samples;
+    for (const auto& offset : offsets) { samples.push_back(sampleAt(offset, settings, dimensions)); }
+    const Moments moments = settings.renormalise ? momentsOf(samples, dimensions) : Moments{};
+
     double sumOfWeights = 0;
-    std::size_t self = 0;
-    for (std::size_t b = 0; b < offsets.size(); ++b)
+    for (const Sample& sample : samples)
     {
-        double q2 = 0;
+        double weight = -2 * morrisShare * sample.f / moments.first;
         for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions); ++d)
         {
-            const double scaled = offsets[b][d] * dx[d] / h[d];
-            q2 += scaled * scaled;
-        }
-        const double q = std::sqrt(q2);
-        const double f = scale * kernel.f(q, dimensions);
-        const double g = form == LaplacianForm::secondDerivative ? scale * kernel.g(q, dimensions) : 0;
-        secondMoment += 0.5 * q2 * (f + q2 * g / dimensions);
-        if (q2 == 0) { self = b; }
-
-        double weight = 0;
-        for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions); ++d)
-        {
-            const double x = offsets[b][d] * dx[d];
-            const double scaled2 = (x / h[d]) * (x / h[d]);
             // grad W(x_a - x_b) with x_b - x_a = x, hence the minus.
-            const double slope = -x * f / (h[d] * h[d]);
-            gradient[d].push_back(slope);
-            firstMoment[d] += slope * x;
-
-            if (form == LaplacianForm::morris && q2 > 0)
-            {
-                weight -= ((dimensions + 2) * scaled2 / q2 - 1) * f / (h[d] * h[d]);
-            }
-            if (form == LaplacianForm::secondDerivative) { weight += (f + scaled2 * g) / (h[d] * h[d]); }
+            gradient[d].push_back(-sample.scaled[d] * sample.f / (h[d] * moments.first));
+            const double curvature = sample.f + sample.scaled[d] * sample.scaled[d] * sample.g;
+            weight += (1 / (h[d] * h[d]) - morrisShare) * curvature / moments.second;
         }
         if (form != LaplacianForm::exact) { laplacian.push_back(weight); }
         sumOfWeights += weight;
     }
 
-    if (settings.renormalise)
-    {
-        double mean = 0;
-        for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions); ++d)
-        {
-            for (double& weight : gradient[d]) { weight /= firstMoment[d]; }
-            mean += firstMoment[d] / dimensions;
-        }
-        const double moment = form == LaplacianForm::morris ? mean : secondMoment;
-        for (double& weight : laplacian) { weight /= moment; }
-        sumOfWeights /= moment;
-    }
     // Laplacians act on differences f_b - f_a, as a truncated kernel's weights do not add up to zero by themselves: the
     // point itself carries minus the sum of the others.
-    if (!laplacian.empty()) { laplacian[self] -= sumOfWeights; }
+    if (!laplacian.empty())
+    {
+        const auto self = std::ranges::find(offsets, std::array<int, 3>{0, 0, 0}) - offsets.begin();
+        laplacian[static_cast<std::size_t>(self)] -= sumOfWeights;
+    }
 }
 
 } // namespace isph
