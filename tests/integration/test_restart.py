@@ -2,13 +2,11 @@
 import os
 import random
 import resource
-import shutil
 import signal
-import subprocess
 import time
 import unittest
 
-from cases import Case, CaseTest, program, wait_for
+from cases import CaseTest, wait_for
 
 LONG = dict(points=64, endTime=0.5, deltaT="0.002", writeInterval="5")
 
@@ -120,62 +118,6 @@ class Stopped(CaseTest):
                 left = [name for name in os.listdir(case.dir) if name.startswith(("0.51", ".0.51"))]
                 self.assertEqual(left, [])
                 self.succeeds(case, "isphFoam")
-
-
-class Control(CaseTest):
-    def test_a_second_solver_is_refused(self):
-        case = self.ready_case(points=64, endTime=1000, writeInterval="100000")
-        first = case.start("isphFoam")
-        self.addCleanup(first.communicate)
-        self.addCleanup(first.kill)
-        self.assertTrue(wait_for(lambda: os.path.exists(case.path("postProcessing"))))
-        second = case.run("isphFoam", timeout=30)
-        self.assertEqual(second.returncode, 1)
-        self.assertRegex(second.stderr, "(?i)being solved|running|lock")
-        first.send_signal(signal.SIGTERM)
-        first.communicate(timeout=60)
-        self.assertEqual(first.returncode, 143)
-        case.set("system/controlDict", "endTime", str(float(case.times()[-1]) + 0.01))
-        self.succeeds(case, "isphFoam")
-
-    def test_purgeWrite(self):
-        case = self.ready_case(control="purgeWrite 2;", writeInterval="5")
-        self.succeeds(case, "isphFoam")
-        self.assertEqual(case.times(), ["0", "0.175", "0.2"])
-
-    def test_stopAt_writeNow_while_running(self):
-        case = self.ready_case(points=64, endTime=1000, writeInterval="100000", control="runTimeModifiable yes;")
-        process = case.start("isphFoam")
-        self.addCleanup(process.kill)
-        self.assertTrue(wait_for(lambda: os.path.exists(case.path("postProcessing/errors/0"))))
-        time.sleep(1.1)  # file times of some systems count whole seconds
-        case.set("system/controlDict", "stopAt", "writeNow")
-        process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 0)
-        self.assertEqual(case.report()["endedBecause"], "stopAt")
-        self.assertEqual(len(case.times()), 2)
-
-    def test_the_last_step_ends_at_endTime(self):
-        case = self.ready_case(deltaT="0.03", control="adjustTimeStep no;")
-        self.succeeds(case, "isphFoam")
-        self.assertEqual(case.times()[-1], "0.2")
-        self.assertEqual(case.report()["time"], 0.2)
-
-    def test_postProcess_on_written_times(self):
-        case = self.ready_case()
-        self.succeeds(case, "isphFoam")
-        during = {row["time"]: row for row in case.table("errors")}
-        shutil.rmtree(case.path("postProcessing"))
-        self.succeeds(case, "isphFoam", "-postProcess")
-        after = case.table("errors")
-        self.assertEqual([row["time"] for row in after], ["0", "0.05", "0.1", "0.15", "0.2"])
-        for row in after:
-            self.assertAlmostEqual(float(row["relL2(U)"]), float(during[row["time"]]["relL2(U)"]), delta=1e-14)
-
-    def test_noFunctionObjects(self):
-        case = self.ready_case()
-        self.succeeds(case, "isphFoam", "-noFunctionObjects")
-        self.assertFalse(os.path.exists(case.path("postProcessing/errors")))
 
 
 if __name__ == "__main__":
