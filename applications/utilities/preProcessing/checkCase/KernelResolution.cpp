@@ -19,11 +19,12 @@ using Response = std::function<double(double theta)>;
 std::optional<double> halfHeight(const Response& gradient, double largest)
 {
     constexpr double step = std::numbers::pi / 256;
-    for (double theta = step; theta <= largest; theta += step)
+    const auto steps = static_cast<int>(largest / step);
+    for (int n = 1; n <= steps; ++n)
     {
-        if (gradient(theta) > 0.5) { continue; }
-        double above = theta - step;
-        double below = theta;
+        if (gradient(n * step) > 0.5) { continue; }
+        double above = (n - 1) * step;
+        double below = n * step;
         for (int i = 0; i < 40; ++i)
         {
             const double middle = 0.5 * (above + below);
