@@ -1,14 +1,12 @@
 #include "spectral/FourierTransform.hpp"
 
 #include "core/Error.hpp"
+#include "spectral/FftwPlan.hpp"
 #include "spectral/wisdom.hpp"
 
 #include <cassert>
 #include <cstdint>
 #include <cstdlib>
-#include <fftw3.h>
-#include <functional>
-#include <mutex>
 #include <omp.h>
 #include <vector>
 
@@ -17,12 +15,6 @@ namespace isph
 
 namespace
 {
-
-struct PlanDeleter
-{
-    void operator()(fftw_plan_s* plan) const { fftw_destroy_plan(plan); }
-};
-using Plan = std::unique_ptr<fftw_plan_s, PlanDeleter>;
 
 std::string textOf(fftw_plan plan)
 {
@@ -65,8 +57,8 @@ struct FourierTransform::Plans
     int components;
     std::size_t points;
     std::size_t modes;
-    Plan forward;
-    Plan backward;
+    FftwPlan forward;
+    FftwPlan backward;
     std::string fingerprint;
     long count = 0;
 };
@@ -86,7 +78,6 @@ FourierTransform::FourierTransform(const Lattice& lattice, int components, PlanE
     SpectralField modes(components, plans_->modes);
     const auto plan = [&](unsigned rigor)
     {
-        fftw_plan_with_nthreads(omp_get_max_threads());
         auto* complexes = reinterpret_cast<fftw_complex*>(modes.data());
         const auto rank = static_cast<int>(counts.size());
         const auto realStride = static_cast<int>(real.stride());
@@ -99,19 +90,18 @@ FourierTransform::FourierTransform(const Lattice& lattice, int components, PlanE
                                                       rigor | FFTW_DESTROY_INPUT));
     };
 
-    // FFTW's planner is not thread-safe, and its threads are initialised once per process.
-    static std::mutex planner;
-    const std::lock_guard guard(planner);
-    static const bool initialised = fftw_init_threads() != 0;
-    if (!initialised) { throw Error(Fault::input, "the threads of FFTW could not be started"); }
-
-    if (effort == PlanEffort::measured)
-    {
-        const bool kept = withWisdom([&plan] { plan(FFTW_MEASURE); });
-        // Without a place for wisdom the next run could measure its way to another plan, and so to other bits.
-        if (!kept) { plan(FFTW_ESTIMATE); }
-    }
-    else { plan(FFTW_ESTIMATE); }
+    withPlanner(omp_get_max_threads(),
+                [&]
+                {
+                    if (effort == PlanEffort::measured)
+                    {
+                        const bool kept = withWisdom([&plan] { plan(FFTW_MEASURE); });
+                        // Without a place for wisdom the next run could measure its way to another plan, and so to
+                        // other bits.
+                        if (!kept) { plan(FFTW_ESTIMATE); }
+                    }
+                    else { plan(FFTW_ESTIMATE); }
+                });
     if (!plans_->forward || !plans_->backward) { throw Error(Fault::input, "FFTW found no plan for this lattice"); }
     plans_->fingerprint = hashOf(textOf(plans_->forward.get()) + textOf(plans_->backward.get()));
 }

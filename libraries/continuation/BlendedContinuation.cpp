@@ -1,0 +1,80 @@
+#include "continuation/BlendedContinuation.hpp"
+
+#include "core/Error.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace isph
+{
+
+namespace
+{
+
+bool onlySmallFactors(int n)
+{
+    for (const int factor : {2, 3, 5, 7})
+    {
+        while (n % factor == 0) { n /= factor; }
+    }
+    return n == 1;
+}
+
+} // namespace
+
+int automaticNewPoints(int n)
+{
+    constexpr int least = 25; // fewer cost digits: docs/theory, derivative floor against d
+    int d = least;
+    while (!onlySmallFactors(n + d)) { ++d; }
+    return d;
+}
+
+double smoothStep(int m, double t)
+{
+    if (t > 0.5) { return 1 - smoothStep(m, 1 - t); }
+    double sum = 0;
+    double term = 1; // binom(m + j, j) (1 - t)^j
+    for (int j = 0; j <= m; ++j)
+    {
+        sum += term;
+        term *= (1 - t) * (m + j + 1) / (j + 1);
+    }
+    return std::pow(t, m + 1) * sum;
+}
+
+BlendedContinuation::BlendedContinuation(int newPoints, int smoothness)
+    : Continuation(newPoints), smoothness_(smoothness)
+{
+    if (newPoints < 1)
+    {
+        throw Error(Fault::input, "an extension of " + std::to_string(newPoints) + " points is none",
+                    "write auto, or at least 1");
+    }
+    if (smoothness < 0 || smoothness > largestSmoothness)
+    {
+        throw Error(Fault::input, "smoothness " + std::to_string(smoothness) + " is not one of 0 ... " +
+                                      std::to_string(largestSmoothness));
+    }
+}
+
+EndBlock BlendedContinuation::end(EndCondition condition) const
+{
+    const std::vector<Extrapolation> steps = extrapolations(condition);
+    EndBlock block;
+    block.newPoints = newPoints();
+    block.points = static_cast<int>(steps.front().weights.size());
+    bool anyDatum = false;
+    for (int k = 1; k <= newPoints(); ++k)
+    {
+        const Extrapolation& step = steps[static_cast<std::size_t>(k - 1)];
+        const double blend = 1 - smoothStep(smoothness_, static_cast<double>(k) / (newPoints() + 1));
+        for (const double weight : step.weights) { block.weights.push_back(blend * weight); }
+        block.data.push_back(blend * step.datum);
+        anyDatum = anyDatum || step.datum != 0;
+    }
+    if (!anyDatum) { block.data.clear(); }
+    return block;
+}
+
+} // namespace isph

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "fields/Field.hpp"
+#include "lattice/Lattice.hpp"
+
+#include <span>
+
+namespace isph
+{
+
+/// Where the lines along one axis lie in a component of a field. Line l has its point i at start(l) + i*inner.
+struct LineLayout
+{
+    std::size_t inner = 1; ///< points of the faster axes: the distance of neighbours on a line
+    std::size_t count = 1; ///< points of a line
+    std::size_t outer = 1; ///< points of the slower axes
+
+    std::size_t lines() const { return inner * outer; }
+    std::size_t points() const { return inner * count * outer; }
+    std::size_t start(std::size_t line) const { return line / inner * inner * count + line % inner; }
+
+    /// The same lines with another number of points.
+    LineLayout withCount(std::size_t points) const { return {inner, points, outer}; }
+};
+
+/// The lines along a direction (0, 1, 2) of a lattice.
+LineLayout linesAlong(const Lattice& lattice, int direction);
+
+/// Copies lines first, first + 1, ... of values into the first values of the components of lines, as many as there are.
+void gatherLines(std::span<const double> values, const LineLayout& layout, std::size_t first, RealField& lines);
+
+/// The reverse: puts the first layout.count values of each component into lines first, first + 1, ... of values.
+void scatterLines(const RealField& lines, const LineLayout& layout, std::size_t first, std::span<double> values);
+
+} // namespace isph
