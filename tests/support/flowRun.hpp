@@ -20,6 +20,9 @@ struct RunOf
     {
     }
 
+    RunOf(const RunOf&) = delete; // the flow refers to its neighbours
+    RunOf& operator=(const RunOf&) = delete;
+
     /// Starts from a velocity given as a function of the component and x, y, z.
     StartReport start(const std::function<double(int, double, double, double)>& velocity, bool project = true)
     {

@@ -1,7 +1,9 @@
 // Stability limits, and steps far beyond them where the viscous term is integrated: docs/theory/periodic.md, section 8
 // and tests T4 and T5.
 
+#include "flow/readFlowSettings.hpp"
 #include "support/flowRun.hpp"
+#include "support/messageOf.hpp"
 #include "support/record.hpp"
 
 #include <array>
@@ -248,6 +250,34 @@ TEST(StabilityLimits, T5_convectionWithViscosityIsBounded)
         const double dt = 0.98 * largestStableStep(*run.settings.time, run.flow.rates());
         run.march(400 * dt, 400);
         EXPECT_LE(norm(run.flow.velocity()), before * (1 + 1e-12)) << nu;
+    }
+}
+
+TEST(StabilityLimits, X7_firstOrderProjectionNeedsViscosity)
+{
+    const auto read = [](double nu, const char* convection)
+    {
+        readFlowSettings(
+            Dictionary::parse(std::string("kernel { type exact; } time firstOrderProjection; convection ") +
+                                  convection + ";",
+                              "schemes"),
+            Dictionary::parse("", "solution"), unitSquare(8), Fluid{.nu = nu});
+    };
+    const std::string message = messageOf([&] { read(0, "divergence"); });
+    EXPECT_NE(message.find("schemes:1"), std::string::npos) << message;
+    EXPECT_NE(message.find("2 nu/|u|^2"), std::string::npos) << message;
+    EXPECT_EQ(messageOf([&] { read(0.1, "divergence"); }), "no error");
+    EXPECT_EQ(messageOf([&] { read(0, "none"); }), "no error");
+
+    // Where it is viscous its limit is that step, or that of the viscous term.
+    for (const double nu : {1e-3, 1e-1})
+    {
+        FlowRun run(unitSquare(32), Fluid{.nu = nu}, plainSettings(exactKernel(), "firstOrderProjection"));
+        run.start([](int c, double, double, double) { return c == 0 ? 2.0 : 0.0; });
+        const double dt = largestStableStep(*run.settings.time, run.flow.rates());
+        const double convective = 2 * nu / 4;
+        const double viscous = 2 / (nu * 2 * pi * pi * 32 * 32);
+        EXPECT_NEAR(dt, 1 / (1 / convective + 1 / viscous), 0.02 * dt);
     }
 }
 
