@@ -16,6 +16,7 @@ MAY_LINK = {
     "checkCase": {"muparser", "fftw", "hdf5"},
     "isphFoam": {"muparser", "fftw", "hdf5"},
     "sampleLines": {"muparser", "fftw", "hdf5"},
+    "fcExtend": {"muparser", "fftw", "hdf5"},
     "mapFields": {"muparser", "fftw", "hdf5"},
     "toVTK": {"muparser", "fftw", "hdf5", "vtk"},
 }
