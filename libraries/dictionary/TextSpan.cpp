@@ -86,7 +86,8 @@ void skipDirective(Lexer& lexer, const Lexeme& directive)
     if (directive.text == "else" || directive.text == "endif") { return; }
     if (directive.text == "remove" && lexer.peek().kind == Lexeme::Kind::bracket)
     {
-        while (lexer.next().text != ")") {}
+        // Branches of an #if that are not taken need not even parse, so the list may be open.
+        for (Lexeme name = lexer.next(); name.text != ")" && name.kind != Lexeme::Kind::end; name = lexer.next()) {}
         return;
     }
     skipOperand();

@@ -92,6 +92,12 @@ TEST(TextEditor, ChangesTheEntryThatCounts)
     EXPECT_EQ(afterSet("k { a 1; }\nk { b 2; }\n", "k.a", "3"), "k { a 3; }\nk { b 2; }\n");
 }
 
+TEST(TextEditor, PassesOverBranchesThatDoNotParse)
+{
+    EXPECT_EQ(afterSet("a 1;\n#if no\nb (1;\n#remove (c\n#endif\n", "a", "3"),
+              "a 3;\n#if no\nb (1;\n#remove (c\n#endif\n");
+}
+
 TEST(TextEditor, AddsBehindAMacroThatWouldWin)
 {
     EXPECT_EQ(afterSet("l { a 1; }\nk { a 5; $l; }\n", "k.a", "3"), "l { a 1; }\nk { a 5; $l; a 3; }\n");
