@@ -3,7 +3,7 @@ import csv
 import os
 import unittest
 
-from cases import CaseTest, header
+from cases import CaseTest, header, program
 
 FIELD = """dimensions [0 0 0 0 0 0 0];
 internalField expression "sin(2*pi*x)*(exp(y)*sin(5*y) + 0.5*y^3)";
@@ -87,6 +87,20 @@ class FcExtend(CaseTest):
         said = self.succeeds(case, "fcExtend", "-derivatives").stdout
         for part in ("f.x along y: 61 + 29 points", "f.z along z: 61 + 29 points", "Wrote 0/derivatives.h5"):
             self.assertIn(part, said)
+
+    def test_paraview(self):
+        case = self.channel()
+        if not os.path.exists(program("toVTK")):
+            self.assertIn("-vtk needs toVTK, which was not built", self.refusal(case, "-vtk"))
+            self.assertEqual(os.listdir(case.path("0")), ["f"])
+            return
+        self.assertIn("Wrote VTK/vortex_extended.pvd", self.succeeds(case, "fcExtend", "-vtk").stdout)
+        self.assertEqual(sorted(os.listdir(case.path("VTK"))), ["vortex_extended.pvd", "vortex_extended_0.vti"])
+        # 12 and 126 periodic points, and the first again at the end.
+        with open(case.path("VTK/vortex_extended_0.vti"), "rb") as file:
+            self.assertIn(b'WholeExtent="0 12 0 126 0 0"', file.read(500))
+        result = case.run("toVTK", "-extended", "-derived")
+        self.assertEqual(result.returncode, 2, result.stderr)
 
     def test_what_it_refuses(self):
         case = self.channel()

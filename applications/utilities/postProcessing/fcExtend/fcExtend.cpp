@@ -2,6 +2,7 @@
 //
 //     fcExtend -case channel -latestTime                        <time>/extended.h5, jumps at both seams, spectra
 //     fcExtend -case channel -fields '(T)' -derivatives         also gradient and Laplacian, in <time>/derivatives.h5
+//     fcExtend -case channel -vtk                               also VTK/channel_extended.pvd, by toVTK
 //
 // Kernel and continuation are those of system/schemes. With exact derivatives in system/fcExtendDict it prints the
 // errors of the operators:
@@ -26,6 +27,8 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
+#include <spawn.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 using namespace isph;
@@ -182,8 +185,45 @@ static void writeDerivatives(const Case& theCase, const std::string& time, doubl
     log.line(fmt::format("    Wrote {}/derivatives.h5", time));
 }
 
+/// The toVTK beside this program.
+/// \throws Error(input) if the suite was built without it.
+static fs::path toVTK()
+{
+    const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "toVTK";
+    if (!fs::exists(program))
+    {
+        throw Error(Fault::input, "-vtk needs toVTK, which was not built",
+                    "install VTK (Debian: libvtk9-dev) and build again, or leave out -vtk");
+    }
+    return program;
+}
+
+/// Runs toVTK -extended for the given times; what it says stands in our report.
+static void convert(const fs::path& program, const Case& theCase, const std::vector<std::string>& times, Log& log)
+{
+    std::vector<std::string> arguments{program.string(),
+                                       "-case",
+                                       theCase.directory().string(),
+                                       "-extended",
+                                       "-quiet",
+                                       "-time",
+                                       fmt::format("{}", fmt::join(times, ","))};
+    std::vector<char*> pointers;
+    for (std::string& argument : arguments) { pointers.push_back(argument.data()); }
+    pointers.push_back(nullptr);
+    pid_t child = 0;
+    int status = 0;
+    const int refused = ::posix_spawn(&child, program.c_str(), nullptr, nullptr, pointers.data(), environ);
+    if (refused != 0 || ::waitpid(child, &status, 0) != child || status != 0)
+    {
+        throw Error(Fault::input, "toVTK failed; its message is above");
+    }
+    log.line(fmt::format("Wrote VTK/{}_extended.pvd", theCase.name()));
+}
+
 static void run(const CommandLine& line, Log& log)
 {
+    const fs::path converter = line.has("vtk") ? toVTK() : fs::path();
     const Case theCase(line.caseDirectory());
     const Lattice lattice = readLattice(theCase.dictionary("constant/lattice"));
     if (lattice.periodic())
@@ -200,6 +240,7 @@ static void run(const CommandLine& line, Log& log)
     const bool derivatives = line.has("derivatives");
     log.line(fmt::format("Continuation: {}", chosen.word("type").text));
 
+    std::vector<std::string> done;
     for (const TimeDirectory& time : selectedTimes(line))
     {
         FieldsOfTime stored(theCase, time.name);
@@ -230,6 +271,7 @@ static void run(const CommandLine& line, Log& log)
         }
         store.commit();
         log.line(fmt::format("    Wrote {}/extended.h5", time.name));
+        done.push_back(time.name);
         if (!derivatives) { continue; }
 
         for (int direction = 0; direction < 3; ++direction)
@@ -252,6 +294,7 @@ static void run(const CommandLine& line, Log& log)
                              log);
         }
     }
+    if (line.has("vtk")) { convert(converter, theCase, done, log); }
 }
 
 int main(int argc, char** argv)
@@ -261,7 +304,8 @@ int main(int argc, char** argv)
                             .examples = "fcExtend -case channel -latestTime\n"
                                         "fcExtend -case channel -fields '(T)' -derivatives"};
     application.options = {
-        {"derivatives", "", "also gradient and Laplacian, and their errors against system/fcExtendDict"}};
+        {"derivatives", "", "also gradient and Laplacian, and their errors against system/fcExtendDict"},
+        {"vtk", "", "also VTK/<case>_extended.pvd, by toVTK"}};
     application.options.insert(application.options.end(), timeOptions.begin(), timeOptions.end());
     application.options.insert(application.options.end(), fieldOptions.begin(), fieldOptions.end());
     application.listings = {{"listContinuations", [] { return continuations().words(); }},
