@@ -11,6 +11,7 @@
 #include <complex>
 #include <gtest/gtest.h>
 #include <initializer_list>
+#include <omp.h>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -145,6 +146,23 @@ TEST(Operators, ResultsReplaceWhatWasThere)
         EXPECT_EQ(largestDifference(scalarOnce, scalarTwice), 0);
     }
     EXPECT_EQ(sums.neighbours(), 45U) << "within 3.9 spacings";
+}
+
+TEST(Operators, SumsOverNeighboursHaveTheSameBitsForAnyNumberOfThreads)
+{
+    const Lattice lattice = periodicBox({10, 9, 12}, {1, 0.9, 1.2});
+    const RealField u = test::noise(lattice, 3, 1);
+    DirectSumOperators sums(lattice, KernelSamples(lattice, quinticSpline(1.3), LaplacianForm::morris));
+    const int before = omp_get_max_threads();
+    std::vector<RealField> results;
+    for (const int threads : {1, 2, 3})
+    {
+        omp_set_num_threads(threads);
+        results.emplace_back(3, lattice.points());
+        sums.laplacian(u, results.back());
+        EXPECT_EQ(largestDifference(results.back(), results.front()), 0);
+    }
+    omp_set_num_threads(before);
 }
 
 TEST(Operators, PlusMinusAndPlainGradientsAgree)

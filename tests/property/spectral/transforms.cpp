@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <gtest/gtest.h>
+#include <omp.h>
 #include <random>
 #include <vector>
 
@@ -146,6 +147,33 @@ TEST(FourierTransforms, AreTheDenseMatrixInTheStatedOrder)
                 const auto points = static_cast<double>(lattice.points());
                 ASSERT_LE(std::abs(modes[0][rows.offset(row) + i] - dense), 4e-16 * 300 * std::sqrt(points));
             }
+        }
+    }
+}
+
+TEST(FourierTransforms, OnSeveralThreadsAreTheSameToRoundOff)
+{
+    const Lattice lattice = periodicBox({48, 30, 1}, {1, 1, 0});
+    const RealField real = noise(2, lattice.points(), 13);
+    const int before = omp_get_max_threads();
+    std::vector<SpectralField> results;
+    for (const int threads : {1, 2, 3})
+    {
+        omp_set_num_threads(threads);
+        FourierTransform transform(lattice, 2);
+        results.emplace_back(2, transform.modes());
+        transform.forward(real, results.back());
+        SpectralField again(2, transform.modes());
+        transform.forward(real, again);
+        EXPECT_TRUE(std::ranges::equal(again[1], results.back()[1])) << "the same plan, the same bits";
+    }
+    omp_set_num_threads(before);
+    for (const SpectralField& result : results)
+    {
+        for (std::size_t i = 0; i < result.size(); ++i)
+        {
+            const double scale = std::sqrt(static_cast<double>(lattice.points()));
+            ASSERT_LE(std::abs(result[1][i] - results[0][1][i]), 4 * scale * roundOff(lattice.points()));
         }
     }
 }
