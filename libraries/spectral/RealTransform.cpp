@@ -2,6 +2,7 @@
 
 #include "core/Error.hpp"
 #include "spectral/FftwPlan.hpp"
+#include "spectral/PairedTransform.hpp"
 #include "spectral/SplitRadix.hpp"
 #include "spectral/wisdom.hpp"
 
@@ -9,6 +10,7 @@
 #include <cassert>
 #include <omp.h>
 #include <optional>
+#include <vector>
 
 namespace isph
 {
@@ -18,30 +20,29 @@ namespace
 
 constexpr std::size_t lanes = SplitRadix::lanes;
 
-std::array<fftw_r2r_kind, 2> kindsOf(RealBasis basis)
+/// Where the samples of lines, values or modes, lie in the rows that are transformed, and their signs there.
+struct Places
+{
+    std::vector<std::size_t> row;
+    std::vector<double> sign;
+};
+
+bool hasPointsOnEnds(RealBasis basis) { return basis == RealBasis::cosine1 || basis == RealBasis::sine1; }
+bool isPackaged(RealBasis basis) { return basis == RealBasis::cosine4 || basis == RealBasis::sine4; }
+
+PairedTransform::Kind kindOf(RealBasis basis)
 {
     switch (basis)
     {
-    case RealBasis::cosine1:
-        return {FFTW_REDFT00, FFTW_REDFT00};
     case RealBasis::cosine2:
-        return {FFTW_REDFT10, FFTW_REDFT01};
     case RealBasis::cosine3:
-        return {FFTW_REDFT01, FFTW_REDFT10};
-    case RealBasis::cosine4:
-        return {FFTW_REDFT11, FFTW_REDFT11};
-    case RealBasis::sine1:
-        return {FFTW_RODFT00, FFTW_RODFT00};
+        return PairedTransform::Kind::cosine2;
     case RealBasis::sine2:
-        return {FFTW_RODFT10, FFTW_RODFT01};
     case RealBasis::sine3:
-        return {FFTW_RODFT01, FFTW_RODFT10};
-    case RealBasis::sine4:
-        return {FFTW_RODFT11, FFTW_RODFT11};
-    case RealBasis::fourier:
-        break;
+        return PairedTransform::Kind::sine2;
+    default:
+        return PairedTransform::Kind::fourier;
     }
-    return {FFTW_R2HC, FFTW_HC2R};
 }
 
 double factorOf(RealBasis basis, double n)
@@ -59,48 +60,114 @@ double factorOf(RealBasis basis, double n)
     }
 }
 
+/// Lines that are transformed together, as they lie in the array.
+struct Block
+{
+    double* start;
+    std::size_t count;    ///< values of a line
+    std::size_t stride;   ///< from a value of a line to the next
+    std::size_t fromLine; ///< from a line to the next
+    std::size_t width;    ///< lines
+};
+
+/// Calls move(value in the array, its place among the rows, its sign) for all values, row by row.
+template<class Move>
+void forValues(const Block& block, const Places& places, double* rows, Move move)
+{
+    for (std::size_t j = 0; j < block.count; ++j)
+    {
+        double* array = block.start + j * block.stride;
+        double* row = rows + places.row[j];
+        const double sign = places.sign[j];
+        // Loops of known length, and of known stride where lines lie side by side, are several times as fast.
+        if (block.width < lanes)
+        {
+            for (std::size_t c = 0; c < block.width; ++c) { move(array[c * block.fromLine], row[c], sign); }
+        }
+        else if (block.fromLine == 1)
+        {
+            for (std::size_t c = 0; c < lanes; ++c) { move(array[c], row[c], sign); }
+        }
+        else
+        {
+            for (std::size_t c = 0; c < lanes; ++c) { move(array[c * block.fromLine], row[c], sign); }
+        }
+    }
+}
+
 } // namespace
 
 struct RealTransform::Plans
 {
     Lines lines;
+    RealBasis basis;
     double factor;
     std::size_t stride = 1; ///< from a value of a line to the next
     std::size_t inner = 1;  ///< lines that lie side by side
     std::size_t outer = 1;  ///< groups of such lines
-    FftwPlan forward;
-    FftwPlan backward;
-    std::optional<SplitRadix> split; ///< instead of both
-    std::size_t scratchOfThread = 0;
+
+    // One of these does both directions.
+    std::optional<SplitRadix> split;
+    std::optional<PairedTransform> paired;
+    FftwPlan packaged;
+
+    Places values;
+    Places modes;
+    std::size_t rowsOfThread = 0;
+    std::size_t scratchOfThread = 0; ///< rows and what the transform needs besides
     mutable AlignedVector<double> scratch;
 
-    std::size_t size() const { return inner * outer * static_cast<std::size_t>(lines.extents[axis()]); }
     std::size_t axis() const { return static_cast<std::size_t>(lines.axis); }
+    std::size_t count() const { return static_cast<std::size_t>(lines.count); }
+    std::size_t length() const { return stride * static_cast<std::size_t>(lines.extents[axis()]); }
+    std::size_t size() const { return length() * outer; }
 
-    void plan(RealBasis basis, unsigned rigor);
-    void execute(const FftwPlan& plan, std::span<double> values) const;
-    void transformSplit(std::span<double> values) const;
+    void plan(unsigned rigor);
+    bool planned() const { return packaged || (split && split->planned()) || (paired && paired->planned()); }
+    void place();
+    void transform(std::span<double> array, bool forwards) const;
+    void transformRows(bool analyse, double* rows) const;
 };
 
-void RealTransform::Plans::plan(RealBasis basis, unsigned rigor)
+void RealTransform::Plans::plan(unsigned rigor)
 {
-    if (basis == RealBasis::cosine1 || basis == RealBasis::sine1)
+    if (hasPointsOnEnds(basis))
     {
         const bool even = basis == RealBasis::cosine1;
-        const auto intervals = static_cast<std::size_t>(even ? lines.count - 1 : lines.count + 1);
+        const std::size_t intervals = even ? count() - 1 : count() + 1;
         split.emplace(intervals, even ? SplitRadix::Parity::even : SplitRadix::Parity::odd, rigor);
-        scratchOfThread = split->scratchSize() + (intervals + 1) * lanes;
+        rowsOfThread = (intervals + 1) * lanes;
+        scratchOfThread = rowsOfThread + split->scratchSize();
         return;
     }
-    AlignedVector<double> values(size());
-    const auto [there, back] = kindsOf(basis);
+    if (!isPackaged(basis))
+    {
+        paired.emplace(count(), kindOf(basis), rigor);
+        rowsOfThread = count() * lanes;
+        scratchOfThread = rowsOfThread;
+        return;
+    }
+    AlignedVector<double> array(size());
+    const fftw_r2r_kind kind = basis == RealBasis::cosine4 ? FFTW_REDFT11 : FFTW_RODFT11;
     const int step = static_cast<int>(stride);
     const fftw_iodim line{lines.count, step, step};
-    const int group = step * lines.extents[axis()];
+    const int group = static_cast<int>(length());
     const std::array<fftw_iodim, 2> others{{{static_cast<int>(outer), group, group}, {static_cast<int>(inner), 1, 1}}};
-    double* start = values.data() + static_cast<std::size_t>(lines.first) * stride;
-    forward.reset(fftw_plan_guru_r2r(1, &line, 2, others.data(), start, start, &there, rigor));
-    backward.reset(fftw_plan_guru_r2r(1, &line, 2, others.data(), start, start, &back, rigor));
+    double* start = array.data() + static_cast<std::size_t>(lines.first) * stride;
+    packaged.reset(fftw_plan_guru_r2r(1, &line, 2, others.data(), start, start, &kind, rigor));
+}
+
+void RealTransform::Plans::place()
+{
+    for (std::size_t j = 0; j < count(); ++j)
+    {
+        // A DST-I has its first sample in row 1.
+        const std::size_t plain = basis == RealBasis::sine1 ? j + 1 : j;
+        values.row.push_back(lanes * (paired ? paired->valueRow(j) : plain));
+        values.sign.push_back(paired ? paired->valueSign(j) : 1);
+        modes.row.push_back(lanes * (paired ? paired->modeRow(j) : plain));
+        modes.sign.push_back(1);
+    }
 }
 
 RealTransform::RealTransform(const Lines& lines, RealBasis basis, PlanEffort effort) : plans_(std::make_unique<Plans>())
@@ -110,6 +177,7 @@ RealTransform::RealTransform(const Lines& lines, RealBasis basis, PlanEffort eff
         throw Error(Fault::input, "a transform needs more points on its axis", "give the axis at least three");
     }
     plans_->lines = lines;
+    plans_->basis = basis;
     plans_->factor = factorOf(basis, lines.count);
     for (std::size_t d = 0; d < 3; ++d)
     {
@@ -119,19 +187,18 @@ RealTransform::RealTransform(const Lines& lines, RealBasis basis, PlanEffort eff
     }
     plans_->inner = plans_->stride;
 
-    const int threads = omp_get_max_threads();
-    const bool split = basis == RealBasis::cosine1 || basis == RealBasis::sine1;
-    withPlanner(split ? 1 : threads,
+    // Few values are sooner transformed than shared out.
+    constexpr std::size_t worthSharing = 32768;
+    const int threads = plans_->size() < worthSharing ? 1 : omp_get_max_threads();
+    withPlanner(isPackaged(basis) ? threads : 1,
                 [&]
                 {
-                    const auto plan = [&](unsigned rigor) { plans_->plan(basis, rigor); };
+                    const auto plan = [&](unsigned rigor) { plans_->plan(rigor); };
                     const bool kept = effort == PlanEffort::measured && withWisdom([&plan] { plan(FFTW_MEASURE); });
                     if (!kept) { plan(FFTW_ESTIMATE); }
                 });
-    if (split ? !plans_->split->planned() : !plans_->forward || !plans_->backward)
-    {
-        throw Error(Fault::input, "FFTW found no plan for these lines");
-    }
+    if (!plans_->planned()) { throw Error(Fault::input, "FFTW found no plan for these lines"); }
+    plans_->place();
     plans_->scratch.resize(plans_->scratchOfThread * static_cast<std::size_t>(threads));
 }
 
@@ -139,65 +206,52 @@ RealTransform::~RealTransform() = default;
 RealTransform::RealTransform(RealTransform&&) noexcept = default;
 RealTransform& RealTransform::operator=(RealTransform&&) noexcept = default;
 
-void RealTransform::Plans::execute(const FftwPlan& plan, std::span<double> values) const
+void RealTransform::Plans::transformRows(bool analyse, double* rows) const
 {
-    double* start = values.data() + static_cast<std::size_t>(lines.first) * stride;
-    fftw_execute_r2r(plan.get(), start, start);
+    if (split) { split->transform(rows, rows + rowsOfThread); }
+    else if (analyse) { paired->analyse(rows); }
+    else { paired->synthesise(rows); }
 }
 
-void RealTransform::Plans::transformSplit(std::span<double> values) const
+void RealTransform::Plans::transform(std::span<double> array, bool forwards) const
 {
-    const auto count = static_cast<std::size_t>(lines.count);
-    const std::size_t length = stride * static_cast<std::size_t>(lines.extents[axis()]);
+    assert(array.size() == size());
+    double* const first = array.data() + static_cast<std::size_t>(lines.first) * stride;
+    if (packaged)
+    {
+        fftw_execute_r2r(packaged.get(), first, first);
+        return;
+    }
+    // Types III are the syntheses of types II.
+    const bool analyse = forwards != (basis == RealBasis::cosine3 || basis == RealBasis::sine3);
+    const Places& in = analyse ? values : modes;
+    const Places& out = analyse ? modes : values;
+
     // Lines that lie side by side are gathered row by row; along x it is whole lines that do.
     const bool sideBySide = stride > 1;
     const std::size_t groups = sideBySide ? outer : 1;
     const std::size_t linesOfGroup = sideBySide ? inner : outer;
-    const std::size_t fromLine = sideBySide ? 1 : length;
+    const std::size_t fromLine = sideBySide ? 1 : length();
     const std::size_t blocks = (linesOfGroup + lanes - 1) / lanes;
-    const std::size_t intervals = scratchOfThread - split->scratchSize();
     const int threads = static_cast<int>(scratch.size() / scratchOfThread);
-    // A DST-I has its first sample in row 1.
-    const std::size_t firstRow = intervals / lanes == count ? 0 : 1;
 
 #pragma omp parallel for num_threads(threads) if (threads > 1)
     for (std::size_t b = 0; b < groups * blocks; ++b)
     {
         double* rows = scratch.data() + static_cast<std::size_t>(omp_get_thread_num()) * scratchOfThread;
-        double* work = rows + intervals;
         const std::size_t line = b % blocks * lanes;
         const std::size_t width = std::min(lanes, linesOfGroup - line);
-        double* start =
-            values.data() + b / blocks * length + line * fromLine + static_cast<std::size_t>(lines.first) * stride;
-        for (std::size_t j = 0; j < count; ++j)
-        {
-            double* row = rows + (j + firstRow) * lanes;
-            const double* from = start + j * stride;
-            for (std::size_t c = 0; c < width; ++c) { row[c] = from[c * fromLine]; }
-            // A line alone shares its transform with zeros, not with what another block left behind.
-            for (std::size_t c = width; c < lanes; ++c) { row[c] = 0; }
-        }
-        split->transform(rows, work);
-        for (std::size_t j = 0; j < count; ++j)
-        {
-            const double* row = rows + (j + firstRow) * lanes;
-            double* to = start + j * stride;
-            for (std::size_t c = 0; c < width; ++c) { to[c * fromLine] = row[c]; }
-        }
+        const Block block{first + b / blocks * length() + line * fromLine, count(), stride, fromLine, width};
+        // A line alone shares its transform with zeros, not with what another block left behind.
+        if (width < lanes) { std::fill_n(rows, rowsOfThread, 0.0); }
+        forValues(block, in, rows, [](const double& value, double& row, double sign) { row = sign * value; });
+        transformRows(analyse, rows);
+        forValues(block, out, rows, [](double& value, const double& row, double sign) { value = sign * row; });
     }
 }
 
-void RealTransform::forward(std::span<double> values) const
-{
-    assert(values.size() == plans_->size());
-    plans_->split ? plans_->transformSplit(values) : plans_->execute(plans_->forward, values);
-}
-
-void RealTransform::backward(std::span<double> values) const
-{
-    assert(values.size() == plans_->size());
-    plans_->split ? plans_->transformSplit(values) : plans_->execute(plans_->backward, values);
-}
+void RealTransform::forward(std::span<double> values) const { plans_->transform(values, true); }
+void RealTransform::backward(std::span<double> values) const { plans_->transform(values, false); }
 
 double RealTransform::factor() const { return plans_->factor; }
 

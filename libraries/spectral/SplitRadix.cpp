@@ -12,23 +12,6 @@ namespace
 
 constexpr std::size_t lanes = SplitRadix::lanes;
 
-/// A complex transform in place of rows of pairs of lines.
-FftwPlan planRows(std::size_t count, unsigned rigor)
-{
-    AlignedVector<double> rows(count * lanes);
-    auto* pairs = reinterpret_cast<fftw_complex*>(rows.data());
-    constexpr int width = lanes / 2;
-    const auto n = static_cast<int>(count);
-    return FftwPlan(
-        fftw_plan_many_dft(1, &n, width, pairs, nullptr, width, 1, pairs, nullptr, width, 1, FFTW_FORWARD, rigor));
-}
-
-void execute(const FftwPlan& plan, double* rows)
-{
-    auto* pairs = reinterpret_cast<fftw_complex*>(rows);
-    fftw_execute_dft(plan.get(), pairs, pairs);
-}
-
 void copyRow(const double* from, double factor, double* to)
 {
     for (std::size_t c = 0; c < lanes; ++c) { to[c] = factor * from[c]; }
@@ -43,7 +26,7 @@ SplitRadix::SplitRadix(std::size_t intervals, Parity parity, unsigned rigor) : p
     while (smallest_ % 2 == 0 && smallest_ >= worthSplitting)
     {
         const std::size_t half = smallest_ / 2;
-        Level level{half, {}, {}, planRows(half, rigor)};
+        Level level{half, {}, {}, planRows(half, FFTW_FORWARD, rigor)};
         for (std::size_t k = 0; 2 * k <= half; ++k)
         {
             const double angle = std::numbers::pi * static_cast<double>(k) / static_cast<double>(2 * half);
@@ -54,7 +37,7 @@ SplitRadix::SplitRadix(std::size_t intervals, Parity parity, unsigned rigor) : p
         scratchRows_ += 2 * half + 1;
         smallest_ = half;
     }
-    extension_ = planRows(2 * smallest_, rigor);
+    extension_ = planRows(2 * smallest_, FFTW_FORWARD, rigor);
     scratchRows_ += 2 * smallest_;
 }
 
@@ -75,7 +58,7 @@ void SplitRadix::transform(std::size_t level, const double* in, std::size_t stri
     double* even = odd + split.half * lanes;
     transform(level + 1, in, 2 * stride, even, even + (split.half + 1) * lanes);
     gatherOdd(split, in, stride, odd);
-    execute(split.odd, odd);
+    executeRows(split.odd, odd);
     combine(split, even, odd, out);
 }
 
@@ -166,7 +149,7 @@ void SplitRadix::transformSmallest(const double* in, std::size_t stride, double*
             copyRow(row(j), 1, scratch + j * lanes);
             copyRow(row(j), 1, scratch + (2 * n - j) * lanes);
         }
-        execute(extension_, scratch);
+        executeRows(extension_, scratch);
         // The transform of an even line is real: the two of a pair do not mix.
         std::copy_n(scratch, (n + 1) * lanes, out);
         return;
@@ -178,7 +161,7 @@ void SplitRadix::transformSmallest(const double* in, std::size_t stride, double*
         copyRow(row(j), 1, scratch + j * lanes);
         copyRow(row(j), -1, scratch + (2 * n - j) * lanes);
     }
-    execute(extension_, scratch);
+    executeRows(extension_, scratch);
     // That of an odd line is imaginary, -i times the sine transform.
     for (std::size_t k = 1; k < n; ++k)
     {

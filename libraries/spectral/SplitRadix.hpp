@@ -1,7 +1,6 @@
 #pragma once
 
-#include "fields/AlignedAllocator.hpp"
-#include "spectral/FftwPlan.hpp"
+#include "spectral/PairedTransform.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -25,7 +24,7 @@ public:
     };
 
     /// Lines transformed together: a row holds one sample of each.
-    static constexpr std::size_t lanes = 8;
+    static constexpr std::size_t lanes = PairedTransform::lanes;
 
     /// To be called by withPlanner. \param rigor flag of FFTW
     SplitRadix(std::size_t intervals, Parity parity, unsigned rigor);

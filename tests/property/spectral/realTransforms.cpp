@@ -99,7 +99,7 @@ double largestDifference(const AlignedVector<double>& a, const AlignedVector<dou
     return largest;
 }
 
-/// Largest length of lines along each axis that leaves room for values outside the lines.
+/// Compares both directions, also outside the lines, on values of size 1.
 void expectRight(const Lines& lines, RealBasis basis, unsigned seed)
 {
     SCOPED_TRACE(testing::Message() << "basis " << static_cast<int>(basis) << ", axis " << lines.axis << ", count "
@@ -149,7 +149,7 @@ TEST(RealTransforms, equalTheirDenseMatrices)
     }
 }
 
-TEST(RealTransforms, splitLinesEqualTheirDenseMatrices)
+TEST(RealTransforms, longerLinesEqualTheirDenseMatrices)
 {
     // Intervals that are split never, once, several times, and down to an odd number; more and fewer lines than lanes.
     unsigned seed = 100;
@@ -197,6 +197,25 @@ TEST(RealTransforms, longLinesLoseNoDigits)
                 if (static_cast<int>(i / 3) != mode) { largest = std::max(largest, std::abs(wave[i])); }
             }
             EXPECT_LT(largest, 1e-15 * transform.factor());
+        }
+    }
+}
+
+TEST(RealTransforms, undoThemselvesOnArraysLargeEnoughToBeShared)
+{
+    for (const RealBasis basis : allBases)
+    {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            std::array<int, 3> extents{30, 31, 36};
+            extents[static_cast<std::size_t>(axis)] = 48;
+            const Lines lines{.extents = extents, .axis = axis, .count = 48};
+            const RealTransform transform(lines, basis);
+            const auto values = noiseOf(static_cast<std::size_t>(extents[0] * extents[1] * extents[2]), 9);
+            AlignedVector<double> modes = values;
+            transform.forward(modes);
+            transform.backward(modes);
+            EXPECT_LT(largestDifference(modes, values, transform.factor()), 2e-15 * transform.factor());
         }
     }
 }
