@@ -17,18 +17,18 @@ constexpr std::size_t lanes = PairedTransform::lanes;
 
 FftwPlan planRows(std::size_t count, int direction, unsigned rigor)
 {
-    AlignedVector<double> rows(count * lanes);
-    auto* pairs = reinterpret_cast<fftw_complex*>(rows.data());
+    AlignedVector<double> in(count * lanes);
+    AlignedVector<double> out(count * lanes);
     constexpr int width = lanes / 2;
     const auto n = static_cast<int>(count);
-    return FftwPlan(
-        fftw_plan_many_dft(1, &n, width, pairs, nullptr, width, 1, pairs, nullptr, width, 1, direction, rigor));
+    return FftwPlan(fftw_plan_many_dft(1, &n, width, reinterpret_cast<fftw_complex*>(in.data()), nullptr, width, 1,
+                                       reinterpret_cast<fftw_complex*>(out.data()), nullptr, width, 1, direction,
+                                       rigor | FFTW_DESTROY_INPUT));
 }
 
-void executeRows(const FftwPlan& plan, double* rows)
+void executeRows(const FftwPlan& plan, double* in, double* out)
 {
-    auto* pairs = reinterpret_cast<fftw_complex*>(rows);
-    fftw_execute_dft(plan.get(), pairs, pairs);
+    fftw_execute_dft(plan.get(), reinterpret_cast<fftw_complex*>(in), reinterpret_cast<fftw_complex*>(out));
 }
 
 PairedTransform::PairedTransform(std::size_t count, Kind kind, unsigned rigor)
@@ -51,9 +51,9 @@ std::size_t PairedTransform::valueRow(std::size_t j) const
     return j % 2 == 0 ? j / 2 : count_ - 1 - j / 2;
 }
 
-void PairedTransform::analyse(double* rows) const
+void PairedTransform::analyse(double* in, double* rows) const
 {
-    executeRows(forward_, rows);
+    executeRows(forward_, in, rows);
     const bool fourier = kind_ == Kind::fourier;
     if (!fourier)
     {
@@ -83,7 +83,7 @@ void PairedTransform::analyse(double* rows) const
     }
 }
 
-void PairedTransform::synthesise(double* rows) const
+void PairedTransform::synthesise(double* rows, double* out) const
 {
     const bool fourier = kind_ == Kind::fourier;
     const std::size_t end = fourier ? (count_ + 1) / 2 : count_ / 2 + 1;
@@ -105,7 +105,7 @@ void PairedTransform::synthesise(double* rows) const
             v[c + 1] = realB + imaginaryA;
         }
     }
-    executeRows(backward_, rows);
+    executeRows(backward_, rows, out);
 }
 
 } // namespace isph

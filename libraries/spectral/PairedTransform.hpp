@@ -8,7 +8,7 @@
 namespace isph
 {
 
-/// Real transforms of a few lines at once, two lines to a complex Fourier transform in place. Internal to spectral.
+/// Real transforms of a few lines at once, two lines to a complex Fourier transform. Internal to spectral.
 ///
 /// A DCT-II is a Fourier transform of the line with its even samples first and its odd ones after them in reverse
 /// (Makhoul 1980); a DST-II is the DCT-II of samples of alternating sign, in reverse. The caller, who copies lines into
@@ -33,9 +33,9 @@ public:
     double valueSign(std::size_t j) const { return kind_ == Kind::sine2 && j % 2 == 1 ? -1 : 1; }
     std::size_t modeRow(std::size_t k) const { return kind_ == Kind::sine2 ? count_ - 1 - k : k; }
 
-    /// Rows of values to rows of modes and back, in the scaling of FFTW. 64-byte aligned.
-    void analyse(double* rows) const;
-    void synthesise(double* rows) const;
+    /// Rows of values to rows of modes and back, in the scaling of FFTW. 64-byte aligned; the first are overwritten.
+    void analyse(double* in, double* rows) const;
+    void synthesise(double* rows, double* out) const;
 
     bool planned() const { return forward_ && backward_; }
 
@@ -48,8 +48,8 @@ private:
     FftwPlan backward_;
 };
 
-/// A complex transform in place of rows of pairs of lines.
+/// A complex transform of rows of pairs of lines, which it overwrites; in place, FFTW would ask for memory each time.
 FftwPlan planRows(std::size_t count, int direction, unsigned rigor);
-void executeRows(const FftwPlan& plan, double* rows);
+void executeRows(const FftwPlan& plan, double* in, double* out);
 
 } // namespace isph

@@ -126,7 +126,7 @@ struct RealTransform::Plans
     bool planned() const { return packaged || (split && split->planned()) || (paired && paired->planned()); }
     void place();
     void transform(std::span<double> array, bool forwards) const;
-    void transformRows(bool analyse, double* rows) const;
+    double* transformRows(bool analyse, double* rows) const; ///< \return where the result is
 };
 
 void RealTransform::Plans::plan(unsigned rigor)
@@ -144,7 +144,7 @@ void RealTransform::Plans::plan(unsigned rigor)
     {
         paired.emplace(count(), kindOf(basis), rigor);
         rowsOfThread = count() * lanes;
-        scratchOfThread = rowsOfThread;
+        scratchOfThread = 2 * rowsOfThread;
         return;
     }
     AlignedVector<double> array(size());
@@ -206,11 +206,17 @@ RealTransform::~RealTransform() = default;
 RealTransform::RealTransform(RealTransform&&) noexcept = default;
 RealTransform& RealTransform::operator=(RealTransform&&) noexcept = default;
 
-void RealTransform::Plans::transformRows(bool analyse, double* rows) const
+double* RealTransform::Plans::transformRows(bool analyse, double* rows) const
 {
-    if (split) { split->transform(rows, rows + rowsOfThread); }
-    else if (analyse) { paired->analyse(rows); }
-    else { paired->synthesise(rows); }
+    double* others = rows + rowsOfThread;
+    if (split)
+    {
+        split->transform(rows, others);
+        return rows;
+    }
+    if (analyse) { paired->analyse(rows, others); }
+    else { paired->synthesise(rows, others); }
+    return others;
 }
 
 void RealTransform::Plans::transform(std::span<double> array, bool forwards) const
@@ -235,18 +241,28 @@ void RealTransform::Plans::transform(std::span<double> array, bool forwards) con
     const std::size_t blocks = (linesOfGroup + lanes - 1) / lanes;
     const int threads = static_cast<int>(scratch.size() / scratchOfThread);
 
-#pragma omp parallel for num_threads(threads) if (threads > 1)
-    for (std::size_t b = 0; b < groups * blocks; ++b)
+    const auto transformBlock = [&](std::size_t b, double* rows)
     {
-        double* rows = scratch.data() + static_cast<std::size_t>(omp_get_thread_num()) * scratchOfThread;
         const std::size_t line = b % blocks * lanes;
         const std::size_t width = std::min(lanes, linesOfGroup - line);
         const Block block{first + b / blocks * length() + line * fromLine, count(), stride, fromLine, width};
         // A line alone shares its transform with zeros, not with what another block left behind.
         if (width < lanes) { std::fill_n(rows, rowsOfThread, 0.0); }
         forValues(block, in, rows, [](const double& value, double& row, double sign) { row = sign * value; });
-        transformRows(analyse, rows);
-        forValues(block, out, rows, [](double& value, const double& row, double sign) { value = sign * row; });
+        double* result = transformRows(analyse, rows);
+        forValues(block, out, result, [](double& value, const double& row, double sign) { value = sign * row; });
+    };
+
+    // A team of one thread would still be allocated.
+    if (threads == 1)
+    {
+        for (std::size_t b = 0; b < groups * blocks; ++b) { transformBlock(b, scratch.data()); }
+        return;
+    }
+#pragma omp parallel for num_threads(threads)
+    for (std::size_t b = 0; b < groups * blocks; ++b)
+    {
+        transformBlock(b, scratch.data() + static_cast<std::size_t>(omp_get_thread_num()) * scratchOfThread);
     }
 }
 

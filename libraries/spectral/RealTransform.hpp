@@ -40,7 +40,8 @@ struct Lines
 /// scratch: its transforms are not for several threads at once, but use those there are.
 ///
 /// Lines are transformed in blocks, two to a complex transform (PairedTransform, SplitRadix): FFTW's own cosine and
-/// sine transforms, which cosine4 and sine4 still are, cost one and a half to two times as much.
+/// sine transforms cost one and a half to two times as much. cosine4 and sine4 still are FFTW's, which asks for a
+/// buffer each time.
 class RealTransform
 {
 public:

@@ -34,11 +34,11 @@ SplitRadix::SplitRadix(std::size_t intervals, Parity parity, unsigned rigor) : p
             level.sine.push_back(std::sin(angle));
         }
         levels_.push_back(std::move(level));
-        scratchRows_ += 2 * half + 1;
+        scratchRows_ += 3 * half + 1;
         smallest_ = half;
     }
     extension_ = planRows(2 * smallest_, FFTW_FORWARD, rigor);
-    scratchRows_ += 2 * smallest_;
+    scratchRows_ += 4 * smallest_;
 }
 
 bool SplitRadix::planned() const
@@ -54,11 +54,12 @@ void SplitRadix::transform(std::size_t level, const double* in, std::size_t stri
         return;
     }
     const Level& split = levels_[level];
-    double* odd = scratch;
+    double* samples = scratch;
+    double* odd = samples + split.half * lanes;
     double* even = odd + split.half * lanes;
     transform(level + 1, in, 2 * stride, even, even + (split.half + 1) * lanes);
-    gatherOdd(split, in, stride, odd);
-    executeRows(split.odd, odd);
+    gatherOdd(split, in, stride, samples);
+    executeRows(split.odd, samples, odd);
     combine(split, even, odd, out);
 }
 
@@ -139,6 +140,7 @@ void SplitRadix::combine(const Level& level, const double* even, const double* o
 void SplitRadix::transformSmallest(const double* in, std::size_t stride, double* out, double* scratch) const
 {
     const std::size_t n = smallest_;
+    double* modes = scratch + 2 * n * lanes;
     const auto row = [&](std::size_t j) { return in + j * stride * lanes; };
     if (parity_ == Parity::even)
     {
@@ -149,9 +151,9 @@ void SplitRadix::transformSmallest(const double* in, std::size_t stride, double*
             copyRow(row(j), 1, scratch + j * lanes);
             copyRow(row(j), 1, scratch + (2 * n - j) * lanes);
         }
-        executeRows(extension_, scratch);
+        executeRows(extension_, scratch, modes);
         // The transform of an even line is real: the two of a pair do not mix.
-        std::copy_n(scratch, (n + 1) * lanes, out);
+        std::copy_n(modes, (n + 1) * lanes, out);
         return;
     }
     std::fill_n(scratch, lanes, 0.0);
@@ -161,14 +163,14 @@ void SplitRadix::transformSmallest(const double* in, std::size_t stride, double*
         copyRow(row(j), 1, scratch + j * lanes);
         copyRow(row(j), -1, scratch + (2 * n - j) * lanes);
     }
-    executeRows(extension_, scratch);
+    executeRows(extension_, scratch, modes);
     // That of an odd line is imaginary, -i times the sine transform.
     for (std::size_t k = 1; k < n; ++k)
     {
         for (std::size_t c = 0; c < lanes; c += 2)
         {
-            out[k * lanes + c] = -scratch[k * lanes + c + 1];
-            out[k * lanes + c + 1] = scratch[k * lanes + c];
+            out[k * lanes + c] = -modes[k * lanes + c + 1];
+            out[k * lanes + c + 1] = modes[k * lanes + c];
         }
     }
 }
