@@ -14,6 +14,12 @@ FORBIDDEN = [
     (r"\b(TODO|FIXME|XXX|HACK)\b", "finish it, or say so in an issue"),
     (r"-ffast-math|-Ofast", "the same bits every time"),
 ]
+# What CMake looks for, and the Debian package that has it.
+PACKAGES = {
+    "fmt": "libfmt-dev", "OpenMP": "g++", "FFTW3": "libfftw3-dev", "HDF5": "libhdf5-dev", "PkgConfig": "pkg-config",
+    "muparser": "libmuparser-dev", "Eigen3": "libeigen3-dev", "VTK": "libvtk9-dev", "GTest": "libgtest-dev",
+    "Python3": "python3",
+}
 MACHINE = re.compile(r"(?<![\w.])/(work|home|root|Users)/\w|(?<![\w.$}])/tmp/\w")
 
 
@@ -62,6 +68,17 @@ class HouseRules(unittest.TestCase):
                 if "CMakeLists.txt" in files and any(f.endswith((".cpp", ".hpp")) for f in files):
                     with self.subTest(folder):
                         self.assertIn("README.md", files)
+
+    def test_what_cmake_looks_for_is_installed_by_the_two_commands(self):
+        with open(os.path.join(ROOT, "bin", "packages"), encoding="utf-8") as file:
+            packages = set(re.split(r"[\s|?]+", file.read()))
+        for name in tracked():
+            if not name.endswith(("CMakeLists.txt", ".cmake")):
+                continue
+            for number, line in enumerate(lines(name), 1):
+                for wanted in re.findall(r"(?:find_package|pkg_check_modules)\((\w+)", line):
+                    self.assertIn(wanted, PACKAGES, f"{name}:{number}")
+                    self.assertIn(PACKAGES[wanted], packages, f"{name}:{number}")
 
     def test_annotated_dictionaries_are_shipped(self):
         for name in ("latticeDict", "controlDict", "schemes", "solution", "sampleDict", "transportProperties", "U", "p"):
