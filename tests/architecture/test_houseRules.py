@@ -1,6 +1,7 @@
 """Rules of the house that a reader of the sources can check: lengths, forbidden words, no paths of a machine."""
 import os
 import re
+import shutil
 import subprocess
 import unittest
 
@@ -24,7 +25,9 @@ MACHINE = re.compile(r"(?<![\w.])/(work|home|root|Users)/\w|(?<![\w.$}])/tmp/\w"
 
 
 def tracked():
-    names = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, text=True, capture_output=True, check=False).stdout
+    names = ""
+    if shutil.which("git"):
+        names = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, text=True, capture_output=True, check=False).stdout
     if names:
         return [name for name in names.split("\0") if name and os.path.isfile(os.path.join(ROOT, name))]
     found = []
