@@ -22,8 +22,8 @@ Lattice lattice() { return test::periodicBox({60, 48, 1}, {1, 1, 0}); }
 
 std::string fingerprint(PlanEffort effort) { return FourierTransform(lattice(), 3, effort).fingerprint(); }
 
-/// What a function returns in a process of its own: plans of earlier tests leave no trace there. A child has none of the
-/// threads of its parent, so it must get along with one.
+/// What a function returns in a process of its own: plans of earlier tests leave no trace there. A child has none of
+/// the threads of its parent, so it must get along with one.
 std::string inAnotherProcess(const TemporaryFolder& folder, auto&& function)
 {
     const std::string answer = "answer";
