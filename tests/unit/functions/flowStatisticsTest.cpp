@@ -84,7 +84,8 @@ TEST(FlowStatistics, TakeThePowerOfForcesOutOfTheBudget)
         fill(flow.U, 0, lattice, [t](double, double, double) { return 2 + t; });
         statistics.execute(at(flow, timings, t));
     }
-    for (const double budget : readCsv(folder.path / "flow.csv")["enstrophyBudget [m2/s2]"])
+    auto table = readCsv(folder.path / "flow.csv");
+    for (const double budget : table["enstrophyBudget [m2/s2]"])
     {
         EXPECT_NEAR(budget, 0, 1e-12);
     }
