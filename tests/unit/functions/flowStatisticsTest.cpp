@@ -85,10 +85,7 @@ TEST(FlowStatistics, TakeThePowerOfForcesOutOfTheBudget)
         statistics.execute(at(flow, timings, t));
     }
     auto table = readCsv(folder.path / "flow.csv");
-    for (const double budget : table["enstrophyBudget [m2/s2]"])
-    {
-        EXPECT_NEAR(budget, 0, 1e-12);
-    }
+    for (const double budget : table["enstrophyBudget [m2/s2]"]) { EXPECT_NEAR(budget, 0, 1e-12); }
 }
 
 TEST(FlowStatistics, CarryTheUnitsOfSpace)
