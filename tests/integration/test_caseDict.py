@@ -112,7 +112,7 @@ class CaseDict(CaseTest):
             result = subprocess.run(["foamDictionary", "-expand", case.path(name)], env=environment, text=True,
                                     capture_output=True, timeout=60, check=False)
             self.assertEqual(result.returncode, 0, result.stderr)
-            return result.stdout.split("\n", 10)[10].split() # behind the banner, which names the file
+            return result.stdout[result.stdout.index("FoamFile"):].split()  # behind the banner, which names the file
         self.assertEqual(foam("system/expanded"), foam("system/schemes"))
 
 
