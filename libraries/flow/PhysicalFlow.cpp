@@ -203,6 +203,44 @@ void PhysicalFlow::evaluateRate(double t)
     }
 }
 
+void PhysicalFlow::clearCheckerboards()
+{
+    std::array<std::size_t, 3> n{1, 1, 1};
+    for (int d = 0; d < lattice_.dimensions(); ++d)
+    {
+        n[static_cast<std::size_t>(d)] = static_cast<std::size_t>(lattice_.activeAxis(d).count);
+    }
+    // One bit an axis: alternating along it or not.
+    for (std::size_t pattern = 1; pattern < 8; ++pattern)
+    {
+        bool possible = true;
+        for (std::size_t d = 0; d < 3; ++d) { possible = possible && ((pattern >> d & 1) == 0 || n[d] % 2 == 0); }
+        for (int c = 0; possible && c < velocity_.components(); ++c)
+        {
+            const auto forEach = [&](auto visit)
+            {
+                std::size_t point = 0;
+                for (std::size_t k = 0; k < n[2]; ++k)
+                {
+                    for (std::size_t j = 0; j < n[1]; ++j)
+                    {
+                        for (std::size_t i = 0; i < n[0]; ++i, ++point)
+                        {
+                            const std::size_t odd =
+                                (i * (pattern & 1) + j * (pattern >> 1 & 1) + k * (pattern >> 2 & 1)) % 2;
+                            visit(velocity_[c][point], odd == 1 ? -1.0 : 1.0);
+                        }
+                    }
+                }
+            };
+            double amplitude = 0;
+            forEach([&](double& u, double sign) { amplitude += sign * u; });
+            amplitude /= static_cast<double>(lattice_.points());
+            forEach([&](double& u, double sign) { u -= sign * amplitude; });
+        }
+    }
+}
+
 void PhysicalFlow::advance(const Substep& substep, double t, double dt)
 {
     const double period = substep.a * dt;
@@ -233,6 +271,7 @@ void PhysicalFlow::advance(const Substep& substep, double t, double dt)
     const auto scope = timings_.scope(Phase::pointwise);
     operators_->gradient(phi_, 0, gradient_);
     add(velocity_, -period, gradient_);
+    clearCheckerboards();
     if (settings_.incremental) { add(incrementalPressure_, 1, phi_); }
 }
 

@@ -41,6 +41,8 @@ private:
     /// rate = -(u . D)u + nu lap u + f.
     void evaluateRate(double t);
     void addConvection();
+    /// Takes the checkerboards out of the velocity, as the start does: products at the points alias onto them.
+    void clearCheckerboards();
 
     Lattice lattice_;
     const Fluid& fluid_;

@@ -63,6 +63,14 @@ SpectralFlow::SpectralFlow(const Lattice& lattice, const Fluid& fluid, const Flo
         inverse_ = invertedEigenvalues(rows, poissonEigenvalues(lattice, settings_.eigenvalues, derivative_, morris));
     }
 
+    for (std::size_t row = 0; row < rows.count(); ++row)
+    {
+        for (std::size_t i = 0; keptRow(row) && i < retained_.length(); ++i)
+        {
+            if (rows.checkerboard(row, i)) { checkerboards_.push_back(rows.offset(row) + i); }
+        }
+    }
+
     convection_ = makeConvection(settings_.convection, dimensions, consistent);
     if (convection_)
     {
@@ -142,6 +150,16 @@ bool SpectralFlow::keptRow(std::size_t row) const
 {
     const ModeRows& rows = derivative_.rows();
     return retained_.index(1, rows.index(row, 1)) && retained_.index(2, rows.index(row, 2));
+}
+
+void SpectralFlow::clearCheckerboards()
+{
+    // Products at the points alias onto them, and so may a force.
+    for (const std::size_t mode : checkerboards_)
+    {
+        for (int c = 0; c < state_.components(); ++c) { state_[c][mode] = 0; }
+        for (int c = 0; c < inputModes_.components(); ++c) { inputModes_[c][mode] = 0; }
+    }
 }
 
 void SpectralFlow::clearRow(std::size_t row, std::size_t from, SpectralField& target)

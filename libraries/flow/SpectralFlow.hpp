@@ -53,6 +53,7 @@ private:
     void ensureInputs();
     void updateForce(double t);
     bool keptRow(std::size_t row) const;
+    void clearCheckerboards();
     void clearRow(std::size_t row, std::size_t from, SpectralField& target);
     void advanceStretch(std::size_t row, std::size_t begin, std::size_t end, const Substep& substep, double dt,
                         const SpectralField& from, SpectralField& to);
@@ -87,6 +88,7 @@ private:
     AlignedVector<double> inverse_;       ///< 1/eigenvalues of the pressure equation
     bool projectAlongWavevector_;         ///< consistent and parallel: Leray's projector, no division by the kernel
     OperatorBounds bounds_;
+    std::vector<std::size_t> checkerboards_; ///< modes that are kept at zero
     std::array<std::vector<double>, 3> filterFactors_;
     std::unique_ptr<Convection> convection_;
     std::optional<FourierTransform> inputTransform_;

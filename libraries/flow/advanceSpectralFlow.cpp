@@ -41,6 +41,7 @@ void SpectralFlow::advance(const Substep& substep, double t, double dt)
         }
         if (convection_) { clearRow(row, kept, inputModes_); }
     }
+    clearCheckerboards();
     inputModesReady_ = convection_ != nullptr;
     inputsReady_ = false;
     if (substep.last) { subtractMean(); }

@@ -27,7 +27,6 @@ StartReport startVelocity(const Lattice& lattice, const DerivativeSymbol& deriva
     {
         derivative.row(row, 0, rows.length(), {d[0].data(), d[1].data(), d[2].data()});
         const bool rowKept = retained.index(1, rows.index(row, 1)) && retained.index(2, rows.index(row, 2));
-        const auto kRow = rows.k2OfRow(row);
         for (std::size_t i = 0; i < rows.length(); ++i)
         {
             const std::size_t mode = rows.offset(row) + i;
@@ -47,13 +46,8 @@ StartReport startVelocity(const Lattice& lattice, const DerivativeSymbol& deriva
                 account += rows.multiplicity(i) * magnitude2;
                 for (int c = 0; c < dimensions; ++c) { coefficients[c][mode] = 0; }
             };
-            const double k0 = rows.wavenumbers().k[0][i];
-            double odd2 = std::pow(rows.wavenumbers().derivative[0][i], 2);
-            for (int axis = 1; axis < dimensions; ++axis) { odd2 += std::pow(rows.derivative(row, axis), 2); }
-            const bool checkerboard = odd2 == 0 && k0 * k0 + kRow > 0;
-
             if (!rowKept || i >= retained.length()) { clear(dealiased); }
-            else if (checkerboard) { clear(nyquist); }
+            else if (rows.checkerboard(row, i)) { clear(nyquist); }
             else if (project)
             {
                 for (int c = 0; c < dimensions; ++c)

@@ -173,6 +173,7 @@ OperatorBounds operatorBounds(const DerivativeSymbol& derivative, std::span<cons
         derivative.row(row, 0, rows.length(), out);
         for (std::size_t i = 0; i < retained.length(); ++i)
         {
+            if (rows.checkerboard(row, i)) { continue; } // flows carry none
             double magnitude2 = 0;
             for (std::size_t j = 0; j < 3; ++j)
             {

@@ -20,4 +20,14 @@ double ModeRows::k2OfRow(std::size_t row) const
     return k2;
 }
 
+bool ModeRows::checkerboard(std::size_t row, std::size_t i) const
+{
+    if (wavenumbers_.derivative[0][i] != 0) { return false; }
+    for (int d = 1; d < dimensions_; ++d)
+    {
+        if (derivative(row, d) != 0) { return false; }
+    }
+    return wavenumbers_.k[0][i] != 0 || k2OfRow(row) > 0;
+}
+
 } // namespace isph

@@ -40,6 +40,10 @@ public:
     /// Squared length of the wave vector without its first component.
     double k2OfRow(std::size_t row) const;
 
+    /// Whether a mode is a checkerboard: Nyquist or 0 on every axis, but not the mean. No first derivative sees it, so
+    /// that neither convection by a divergence nor the pressure acts on it.
+    bool checkerboard(std::size_t row, std::size_t i) const;
+
     /// How many modes of the full complex spectrum a stored one stands for: 1 on the planes k0 = 0 and Nyquist, else 2.
     double multiplicity(std::size_t i) const { return i == 0 || 2 * i == points0_ ? 1.0 : 2.0; }
 
