@@ -1,5 +1,6 @@
 #pragma once
 
+#include "continuation/continuedField.hpp"
 #include "flow/Convection.hpp"
 #include "kernels/KernelSettings.hpp"
 #include "operators/LaplacianForm.hpp"
@@ -10,6 +11,17 @@
 
 namespace isph
 {
+
+/// How a step meets the conditions at walls (docs/theory/walls.md).
+enum class WallTreatment
+{
+    consistent,      ///< the momentum step on all points; the pressure's wall slope restores the normal velocity
+    paper,           ///< walls reset before the projection, dp/dn = 0 (Lin et al. 2026)
+    incremental,     ///< the predictor knows the old pressure; dphi/dn = 0
+    rotational,      ///< the same, the pressure without nu div u (Guermond, Minev & Shen 2006)
+    slip,            ///< tangential wall values preset with the old pressure (Fontana et al. 2020)
+    pressurePoisson, ///< pressure from the momentum equation (Johnston & Liu 2004)
+};
 
 /// Every choice of system/schemes and system/solution, resolved: what a flow is built from.
 struct FlowSettings
@@ -26,6 +38,13 @@ struct FlowSettings
     Eigenvalues eigenvalues = Eigenvalues::consistent;
     bool incremental = false; ///< the predictor knows the old pressure
     bool initialProjection = true;
+
+    // Bounded axes only.
+    Continuations continuations; ///< by direction; null for periodic axes
+    bool extended = false;       ///< transform the whole extended box, as the paper does
+    WallTreatment walls = WallTreatment::consistent;
+    bool crankNicolson = false;  ///< the viscous term is implicit
+    bool directPressure = false; ///< pressure from the diagonalised continuation operators
 };
 
 } // namespace isph
