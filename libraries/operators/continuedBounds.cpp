@@ -1,0 +1,49 @@
+#include "operators/continuedBounds.hpp"
+
+#include "continuation/LineSymbol.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace isph
+{
+
+OperatorBounds continuedBounds(const Lattice& lattice, const Continuations& continuations, const KernelSettings& kernel,
+                               LaplacianForm form)
+{
+    OperatorBounds bounds;
+    double magnitude2 = 0;
+    for (int d = 0; d < lattice.dimensions(); ++d)
+    {
+        const Axis& axis = lattice.activeAxis(d);
+        const auto& continuation = continuations[static_cast<std::size_t>(lattice.direction(d))];
+        const int length = axis.count + (continuation ? continuation->newPoints() : 0);
+        const LineSymbol symbol = lineSymbol(kernel, length, axis.spacing());
+        double largestFirst = 0;
+        double largestSecond = 0;
+        double leastSecond = 0;
+        for (std::size_t m = 1; m < symbol.second.size(); ++m)
+        {
+            const double k = 2 * std::numbers::pi * static_cast<double>(m) / (length * axis.spacing());
+            const double first = std::abs(symbol.first[m]);
+            const double second = form == LaplacianForm::exact ? k * k : symbol.second[m];
+            largestFirst = std::max(largestFirst, first);
+            largestSecond = std::max(largestSecond, second);
+            leastSecond = std::min(leastSecond, second);
+            // Of all axes together the ratio is largest along one of them.
+            if (second > 0)
+            {
+                bounds.derivativeOverLaplacian = std::max(bounds.derivativeOverLaplacian, first * first / second);
+            }
+        }
+        bounds.derivative[static_cast<std::size_t>(d)] = largestFirst;
+        magnitude2 += largestFirst * largestFirst;
+        bounds.laplacian += largestSecond;
+        bounds.leastLaplacian += leastSecond;
+    }
+    bounds.derivativeMagnitude = std::sqrt(magnitude2);
+    return bounds;
+}
+
+} // namespace isph
