@@ -17,9 +17,22 @@ public:
 
     /// Derivatives of one component of a field, overwritten; an empty span is left out.
     void operator()(std::span<const double> values, std::span<double> first, std::span<double> second,
-                    const WallData& data = {});
+                    const EndData& data = {});
+
+    /// rate += -carrier df + nu d2f for one component f of a field: its transport along the axis, in one pass, the
+    /// derivatives never leaving the cache. An empty carrier, or nu = 0, leaves its term out.
+    void addTransport(std::span<const double> values, std::span<const double> carrier, double nu,
+                      std::span<double> rate, const EndData& data = {});
 
 private:
+    enum class Order
+    {
+        first,
+        second
+    };
+    /// Fills transform_.result() from the modes of a batch.
+    void differentiate(const SpectralField& modes, Order order);
+
     ContinuedTransform transform_;
     LineSymbol symbol_; ///< over the length, as transforms are not normalised
 };

@@ -40,7 +40,7 @@ std::size_t ContinuedTransform::batches() const
     return (layout_.lines() + batch - 1) / batch;
 }
 
-const RealField& ContinuedTransform::extended(std::size_t batch, std::span<const double> values, const WallData& data)
+const RealField& ContinuedTransform::extended(std::size_t batch, std::span<const double> values, const EndData& data)
 {
     assert(values.size() == layout_.points());
     const std::size_t first = batch * static_cast<std::size_t>(transform_.lines());
@@ -56,8 +56,7 @@ const RealField& ContinuedTransform::extended(std::size_t batch, std::span<const
     return lines_;
 }
 
-const SpectralField& ContinuedTransform::forward(std::size_t batch, std::span<const double> values,
-                                                 const WallData& data)
+const SpectralField& ContinuedTransform::forward(std::size_t batch, std::span<const double> values, const EndData& data)
 {
     extended(batch, values, data);
     transform_.forward(lines_, modes_);
