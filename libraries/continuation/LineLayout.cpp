@@ -1,35 +1,7 @@
 #include "continuation/LineLayout.hpp"
 
-#include <algorithm>
-
 namespace isph
 {
-
-namespace
-{
-
-/// Calls visit(place in the values, place in the data of lines) for every point of the batch. Neighbouring lines go
-/// together: along the slower axes their points lie side by side.
-template<class Visit>
-void forEachPoint(const LineLayout& layout, std::size_t first, std::size_t stride, std::size_t batch, Visit visit)
-{
-    const std::size_t end = std::min(first + batch, layout.lines());
-    for (std::size_t line = first; line < end;)
-    {
-        const std::size_t together = std::min(end - line, layout.inner - line % layout.inner);
-        const std::size_t start = layout.start(line);
-        for (std::size_t i = 0; i < layout.count; ++i)
-        {
-            for (std::size_t l = 0; l < together; ++l)
-            {
-                visit(start + i * layout.inner + l, (line - first + l) * stride + i);
-            }
-        }
-        line += together;
-    }
-}
-
-} // namespace
 
 LineLayout linesAlong(const Lattice& lattice, int direction)
 {
