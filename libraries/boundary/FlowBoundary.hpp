@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -60,10 +61,12 @@ enum class Side
 };
 
 /// The conditions at the faces of a box and the data they prescribe at one time: at the points on the faces or, on
-/// staggered axes, at the feet of the points next to them. Data are in the storage order of the face.
+/// staggered axes, at the feet of the points next to them. Data are in the storage order of the face: of the two
+/// directions along it the lower one is fastest.
 ///
 /// Where faces with prescribed velocities meet, the faster one owns the common points (a moving lid owns its corners,
-/// an inlet those it shares with walls at rest); prescribed velocities come before slip and outflow.
+/// an inlet those it shares with walls at rest); prescribed velocities come before slip and slip before outflow. Where
+/// two faces with slip meet, both normal components vanish. On staggered axes no two faces have a point in common.
 class FlowBoundary
 {
 public:
@@ -98,24 +101,65 @@ public:
         double in = 0;
         double out = 0;
     };
-    Flux flux() const;
+
+    /// How values along a face are summed up.
+    enum class Quadrature
+    {
+        plain,       ///< as the lattice has it: trapezoidal, or midpoints on staggered axes
+        endCorrected ///< of fifth order for smooth values, on axes with 8 points or more
+    };
+
+    /// Each face counts with its own data: the corner of a moving lid is no flow through the wall beside it.
+    Flux flux(Quadrature quadrature = Quadrature::plain) const;
+
+    /// Two faces that prescribe different velocities at a point they share, neither of them zero.
+    struct Contradiction
+    {
+        std::array<std::string, 2> patches;
+        std::array<std::array<double, 3>, 2> velocities; ///< components x, y, z
+        std::array<double, 3> point;
+    };
+
+    /// The first contradiction of the current data beyond a relative difference, if there is any.
+    std::optional<Contradiction> contradiction(double tolerance = 1e-6) const;
 
 private:
     struct Face
     {
         FaceCondition condition;
-        std::array<std::vector<double>, 3> coordinates; ///< of its points
+        std::array<std::vector<double>, 3> coordinates; ///< of its points, or their feet
         std::vector<std::size_t> points;                ///< their indices in a field; of staggered axes the next ones
-        std::array<std::vector<double>, 3> velocity;    ///< by component
+        std::array<std::vector<double>, 3> own;         ///< what the face itself prescribes, by component
+        std::array<std::vector<double>, 3> velocity;    ///< with the corner rule applied
         std::vector<double> pressure;
         bool onPoints = true;
     };
 
+    /// A point of a face that other faces have, too.
+    struct Share
+    {
+        int direction;
+        Side side;
+        std::size_t index; ///< in the data of the face
+    };
+    using Corner = std::vector<Share>;
+
     static std::size_t at(int direction) { return static_cast<std::size_t>(direction); }
     static std::size_t at(Side side) { return side == Side::low ? 0 : 1; }
 
+    Face& faceAt(const Share& share) { return faces_[at(share.direction)][at(share.side)]; }
+    const Face& faceAt(const Share& share) const { return faces_[at(share.direction)][at(share.side)]; }
+
+    void placePoints(Face& face, int direction, Side side) const;
+    void findCorners();
+    void evaluateVelocity(Face& face, double t);
+    void evaluatePressure(Face& face, double t);
+    double ownSpeed(const Share& share) const;
+    void applyCornerRule();
+
     Lattice lattice_;
     std::array<std::array<Face, 2>, 3> faces_;
+    std::vector<Corner> corners_;
     bool dependsOnTime_ = false;
     bool evaluated_ = false;
 };
