@@ -43,8 +43,9 @@ struct FlowSettings
     Continuations continuations; ///< by direction; null for periodic axes
     bool extended = false;       ///< transform the whole extended box, as the paper does
     WallTreatment walls = WallTreatment::consistent;
-    bool crankNicolson = false;  ///< the viscous term is implicit
-    bool directPressure = false; ///< pressure from the diagonalised continuation operators
+    bool crankNicolson = false;    ///< the viscous term is implicit
+    bool automaticViscous = false; ///< a step may choose between both, see crankNicolsonPays
+    bool directPressure = false;   ///< pressure from the diagonalised continuation operators
 };
 
 } // namespace isph

@@ -17,19 +17,29 @@ enum class ViscousTreatment
 {
     automatic,
     explicitTerm,
-    integratingFactor
+    integratingFactor,
+    crankNicolson
 };
 const Selection<ViscousTreatment>& viscousTreatments();
 
-/// Configurations of papers, defects included: what `preset` may name.
-const Selection<std::string_view>& presets();
+const Selection<WallTreatment>& wallTreatments();
 
-const Schema& schemesSchema();  ///< of system/schemes, with the defaults of a periodic box
-const Schema& solutionSchema(); ///< of system/solution
+/// The text of system/schemes and of system/solution that stands for a paper, defects included.
+struct Preset
+{
+    std::string_view schemes;
+    std::string_view solution;
+};
+const Selection<Preset>& presets();
 
-/// system/schemes with its preset and every default filled in. An entry of a preset has "preset <name>" as its file, a
-/// default is marked as such.
+const Schema& schemesSchema();                ///< of system/schemes, with the defaults of a periodic box
+Schema schemesSchema(const Lattice& lattice); ///< with those of this lattice: others where an axis is bounded
+const Schema& solutionSchema();               ///< of system/solution
+
+/// system/schemes with its preset and every default filled in: those of a lattice, or of a periodic box. An entry of a
+/// preset has "preset <name>" as its file, a default is marked as such.
 /// \throws Error(input) with all slips at once.
+Dictionary completedSchemes(const Dictionary& schemes, const Lattice& lattice);
 Dictionary completedSchemes(const Dictionary& schemes);
 
 /// system/solution in the same way; the preset is the one that system/schemes names.

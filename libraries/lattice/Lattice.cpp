@@ -43,6 +43,15 @@ bool Lattice::periodic() const
     return true;
 }
 
+bool Lattice::staggered() const
+{
+    for (int d = 0; d < dimensions_; ++d)
+    {
+        if (!activeAxis(d).periodic() && activeAxis(d).staggered) { return true; }
+    }
+    return false;
+}
+
 std::array<std::vector<double>, 3> Lattice::coordinates() const
 {
     std::array<std::vector<double>, 3> result;

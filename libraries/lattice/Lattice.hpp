@@ -52,7 +52,8 @@ public:
     /// Volume of a point: product of the spacings of the active axes [m^dimensions].
     double pointVolume() const;
 
-    bool periodic() const; ///< in every active direction
+    bool periodic() const;  ///< in every active direction
+    bool staggered() const; ///< the points of a bounded axis lie half a spacing inside
 
     const std::vector<Patch>& patches() const { return patches_; }
 
