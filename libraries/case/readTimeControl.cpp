@@ -218,6 +218,13 @@ TimeControl readTimeControl(const Case& flowCase)
     return {settings, start.state};
 }
 
+std::string timeNameOf(const Case& flowCase, const TimeControl& control)
+{
+    const TimeSettings& settings = control.settings();
+    return unusedTimeName(flowCase.directory(), control.time(), control.lastStep(), settings.timeFormat,
+                          settings.timePrecision);
+}
+
 ControlDictWatch::ControlDictWatch(const Case& flowCase) : case_(&flowCase)
 {
     std::error_code ignored;

@@ -7,6 +7,7 @@
 #include "dictionary/Schema.hpp"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace isph
@@ -40,6 +41,9 @@ StartFolder findStart(const Case& flowCase, const TimeSettings& settings);
 /// Reads system/controlDict and the start folder.
 /// \throws Error(input) also if endTime lies before the start.
 TimeControl readTimeControl(const Case& flowCase);
+
+/// Name of the folder for the present time: with more digits than asked for where another time has that name already.
+std::string timeNameOf(const Case& flowCase, const TimeControl& control);
 
 /// Re-reads system/controlDict when it changes during a run (runTimeModifiable). A controlDict that cannot be used is
 /// warned of, and the run goes on with the one before.

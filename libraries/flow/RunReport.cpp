@@ -1,8 +1,10 @@
 #include "flow/RunReport.hpp"
 
 #include "core/version.hpp"
+#include "core/writeTextFile.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 
 namespace isph
@@ -115,6 +117,12 @@ void RunReport::print(Log& log, const TimeControl& control, const Timings& timin
             log.line(fmt::format("Relative L2 error of {}: {:.4e}", error.field, error.value));
         }
     }
+}
+
+void writeReport(const Case& theCase, const Json& report)
+{
+    std::filesystem::create_directories(theCase.path("postProcessing"));
+    writeTextFile(theCase.path("postProcessing/report.json"), report.text());
 }
 
 } // namespace isph

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "case/Case.hpp"
 #include "case/TimeControl.hpp"
 #include "core/Json.hpp"
 #include "core/Log.hpp"
@@ -46,5 +47,8 @@ struct RunReport
     Json json(const TimeControl& control, const Timings& timings, Ending endedBecause) const;
     void print(Log& log, const TimeControl& control, const Timings& timings) const;
 };
+
+/// Writes postProcessing/report.json.
+void writeReport(const Case& theCase, const Json& report);
 
 } // namespace isph

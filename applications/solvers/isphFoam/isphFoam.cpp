@@ -7,9 +7,7 @@
 // Reads 0/, constant/ and system/; writes time folders, postProcessing/ and postProcessing/report.json.
 
 #include "postProcess.hpp"
-#include "RunLog.hpp"
 #include "runSupport.hpp"
-#include "StepGuard.hpp"
 
 #include "case/AtomicFolder.hpp"
 #include "case/PurgeWrite.hpp"
@@ -19,7 +17,9 @@
 #include "core/signals.hpp"
 #include "fields/threads.hpp"
 #include "flow/readFlow.hpp"
+#include "flow/RunLog.hpp"
 #include "flow/stableNumbers.hpp"
+#include "flow/StepGuard.hpp"
 #include "flow/writeFlow.hpp"
 #include "functions/flowListings.hpp"
 
@@ -50,7 +50,7 @@ static void run(const CommandLine& line, Log& log)
     const auto flow = makeFlow(scene, timings);
     const StartReport started = readFlow(flowCase, start.folder.name, start.restart, scene, *flow);
     warnOfOtherPlans(flowCase, start, *flow, log);
-    RunLog runLog(log, line.has("verbose"), control, scene, report.scene, started);
+    RunLog runLog(log, line.has("verbose"), control, report, linesOn(started));
     StepGuard guard(log, scheme, control.settings().divergedCo);
     SteadyCheck steady(control.settings().steadyTolerance, *flow);
     ControlDictWatch watch(flowCase);
@@ -102,7 +102,7 @@ static void run(const CommandLine& line, Log& log)
         if (control.settings().runTimeModifiable) { watch.refresh(control, log); }
 
         observe();
-        runLog.step(rates, dt, *flow);
+        runLog.step(rates, dt, [&] { return divergenceLine(*flow); });
         if (control.writesNow()) { write(); }
     }
     finish(control.ending().value_or(Ending::endTime));

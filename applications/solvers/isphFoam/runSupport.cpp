@@ -1,7 +1,6 @@
 #include "runSupport.hpp"
 
-#include "case/timeName.hpp"
-#include "core/writeTextFile.hpp"
+#include "flow/flowDiagnostics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,11 +23,23 @@ Functions readFunctions(const CommandLine& line, const Case& flowCase, const Sce
                                                            .besideRun = line.has("postProcess")});
 }
 
-std::string timeNameOf(const Case& flowCase, const TimeControl& control)
+std::vector<std::string> linesOn(const StartReport& started)
 {
-    const TimeSettings& settings = control.settings();
-    return unusedTimeName(flowCase.directory(), control.time(), control.lastStep(), settings.timeFormat,
-                          settings.timePrecision);
+    std::vector<std::string> lines;
+    const auto say = [&lines](double part, const std::string& what)
+    {
+        if (part > 1e-12) { lines.push_back(fmt::format("Start: {} ({:.3g} of its norm)", what, part)); }
+    };
+    say(started.projected, "the projection changed the velocity");
+    say(started.dealiased, "dealiasing dropped modes of the velocity");
+    say(started.nyquist, "checkerboard modes were taken out of the velocity");
+    return lines;
+}
+
+std::string divergenceLine(IncompressibleFlow& flow)
+{
+    const DivergenceNorms divergence = divergenceNorms(flow);
+    return fmt::format("divergence L2: {:.3g} Linf: {:.3g}", divergence.L2, divergence.Linf);
 }
 
 FlowAtTime flowAtTime(IncompressibleFlow& flow, const TimeControl& control, const Timings& timings)
@@ -53,12 +64,6 @@ RunReport openReport(const Case& flowCase, const Scene& scene, int threads)
     report.threads = threads;
     report.substepsPerStep = static_cast<int>(scene.settings.time->substeps.size());
     return report;
-}
-
-void writeReport(const Case& flowCase, const Json& report)
-{
-    std::filesystem::create_directories(flowCase.path("postProcessing"));
-    writeTextFile(flowCase.path("postProcessing/report.json"), report.text());
 }
 
 void warnOfOtherPlans(const Case& flowCase, const StartFolder& start, const IncompressibleFlow& flow, Log& log)

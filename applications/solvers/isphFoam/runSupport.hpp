@@ -7,6 +7,9 @@
 #include "flow/Scene.hpp"
 #include "functions/functionSelection.hpp"
 
+#include <string>
+#include <vector>
+
 namespace isph
 {
 
@@ -15,14 +18,16 @@ namespace isph
 Functions readFunctions(const CommandLine& line, const Case& flowCase, const Scene& scene,
                         const std::string& startTime);
 
-/// Name of the folder for the present time: with more digits than asked for where another time has that name already.
-std::string timeNameOf(const Case& flowCase, const TimeControl& control);
+/// What the start did to the velocity, as lines of the log.
+std::vector<std::string> linesOn(const StartReport& started);
+
+/// The norms of the divergence, as a line of the log.
+std::string divergenceLine(IncompressibleFlow& flow);
 
 /// A flow as its functions see it.
 FlowAtTime flowAtTime(IncompressibleFlow& flow, const TimeControl& control, const Timings& timings);
 
 RunReport openReport(const Case& flowCase, const Scene& scene, int threads);
-void writeReport(const Case& flowCase, const Json& report);
 
 /// A restart ends in the same bits only with the transform plans of the run before: says so when they differ.
 void warnOfOtherPlans(const Case& flowCase, const StartFolder& start, const IncompressibleFlow& flow, Log& log);

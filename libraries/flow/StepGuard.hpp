@@ -6,6 +6,7 @@
 #include "schemes/stabilityLimits.hpp"
 
 #include <optional>
+#include <string>
 
 namespace isph
 {
@@ -25,6 +26,11 @@ public:
     /// The error if the state after a step of dt has diverged: anything not finite, or a Courant number divergedCo
     /// times the stable one.
     std::optional<Error> divergence(const StepRates& rates, double dt, const TimeControl& control) const;
+
+    /// The error of a run that has diverged.
+    /// \param what happened, and when
+    /// \param advice for a run whose steps were stable; of others the step is to blame
+    Error diverged(const std::string& what, const std::string& advice) const;
 
 private:
     Log& log_;

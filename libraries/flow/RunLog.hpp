@@ -4,10 +4,12 @@
 #include "core/Log.hpp"
 #include "core/Progress.hpp"
 #include "flow/RunReport.hpp"
-#include "flow/Scene.hpp"
 
 #include <chrono>
+#include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace isph
 {
@@ -19,12 +21,14 @@ namespace isph
 class RunLog
 {
 public:
-    RunLog(Log& log, bool verbose, const TimeControl& control, const Scene& scene, const SceneDescription& description,
-           const StartReport& started);
+    /// \param notes on the start, a line each
+    RunLog(Log& log, bool verbose, const TimeControl& control, const RunReport& report,
+           const std::vector<std::string>& notes);
 
     /// After a step of dt.
     /// \param rates of the state after it
-    void step(const StepRates& rates, double dt, IncompressibleFlow& flow);
+    /// \param state a line on the state, asked for only where the step is reported
+    void step(const StepRates& rates, double dt, const std::function<std::string()>& state);
 
     /// The closing table.
     void close(const RunReport& report, const Timings& timings);

@@ -1,4 +1,4 @@
-#include "StepGuard.hpp"
+#include "flow/StepGuard.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,13 +36,18 @@ std::optional<Error> StepGuard::divergence(const StepRates& rates, double dt, co
                           control.timeName(), dt * rates.courant, over)
             : fmt::format("the solution diverged in the step after time {}: the velocity is no longer finite",
                           control.timeName());
-    const std::string advice =
+    return diverged(what, "the flow is under-resolved or the scheme is not robust for it; try convection divergence; "
+                          "dealiasing twoThirds; filter { type exponential; }, or more points");
+}
+
+Error StepGuard::diverged(const std::string& what, const std::string& advice) const
+{
+    const std::string first =
         largestMargin_ > 1
             ? fmt::format("steps were up to {:.3g} times the stable one; take deltaT auto; or at most {:.4g}",
                           largestMargin_, 0.8 * stable_)
-            : std::string("steps kept to the limit: the flow is under-resolved or the scheme is not robust for it; try "
-                          "convection divergence; dealiasing twoThirds; filter { type exponential; }, or more points");
-    return Error(Fault::diverged, what, advice + "; the last good state is on disk");
+            : "steps kept to the limit: " + advice;
+    return Error(Fault::diverged, what, first + "; the last good state is on disk");
 }
 
 } // namespace isph
