@@ -33,21 +33,26 @@ struct ErrorNorm
     double value;
 };
 
-/// Something that watches a run: error norms, statistics, probes, samples. Asks the flow for no more than it needs:
-/// what no function asks for is never computed.
-class FunctionObject
+/// Something that watches a run: error norms, statistics, probes, samples. Asks for no more than it needs: what no
+/// function asks for is never computed.
+/// \tparam Now what it sees at the end of a step
+template<class Now>
+class FunctionOn
 {
 public:
-    virtual ~FunctionObject() = default;
+    virtual ~FunctionOn() = default;
 
     /// Computes and writes. Called only when its output control says so.
-    virtual void execute(const FlowAtTime& now) = 0;
+    virtual void execute(const Now& now) = 0;
 
     /// Takes a sample, for functions that gather over time (their executeControl says when); before execute().
-    virtual void accumulate(const FlowAtTime&) {}
+    virtual void accumulate(const Now&) {}
 
     /// The norms of the last execution, for functions that compute errors.
     virtual std::vector<ErrorNorm> errors() const { return {}; }
 };
+
+/// A function on a flow.
+using FunctionObject = FunctionOn<FlowAtTime>;
 
 } // namespace isph

@@ -35,16 +35,6 @@ constexpr Selection<const FunctionType*> types("function type", table);
 
 constexpr double noLimit = std::numeric_limits<double>::infinity();
 
-/// The keys of a type and those of every function; the type may give a key of the latter another default.
-Schema schemaOf(const FunctionType& type)
-{
-    std::vector<Key> keys = type.keys();
-    std::ranges::copy_if(functionKeys(), std::back_inserter(keys),
-                         [own = keys](const Key& key)
-                         { return std::ranges::find(own, key.name, &Key::name) == own.end(); });
-    return Schema("functions", std::move(keys));
-}
-
 /// The number of a key that may be left out.
 double numberOr(const Dictionary& dictionary, std::string_view key, double otherwise)
 {
@@ -81,14 +71,31 @@ std::vector<Key> functionKeys()
 
 std::vector<ListedWord> functionTypes() { return types.words(); }
 
-Functions::Functions(const Dictionary& functions, const FunctionSurroundings& surroundings)
+void forEachFunction(const Dictionary& functions, const std::vector<std::string>& types,
+                     const std::function<void(const std::string&, const Dictionary&)>& visit)
 {
+    const auto look = [&](const Entry& entry)
+    {
+        if (!entry.isDictionary())
+        {
+            if (scalarValue(entry) || entry.usedByMacro) { return; } // a constant of the functions' expressions
+            throw Error(Fault::input, entry.origin(), "is no function",
+                        fmt::format("write {} {{ type errorNorms; ... }}", entry.keyword()));
+        }
+        const Dictionary& given = entry.dictionary();
+        if (given.has("enabled") && !given.flag("enabled")) { return; }
+        if (!given.has("type"))
+        {
+            throw given.error("type", "is missing", fmt::format("known are: {}", listOfWords("", types)));
+        }
+        visit(entry.keyword(), given);
+    };
     std::vector<Complaint> complaints;
     for (const Entry& entry : functions.entries())
     {
         try
         {
-            add(entry, surroundings);
+            look(entry);
         }
         catch (const Error& error)
         {
@@ -98,74 +105,32 @@ Functions::Functions(const Dictionary& functions, const FunctionSurroundings& su
     if (!complaints.empty()) { throw Error(Fault::input, std::move(complaints)); }
 }
 
-void Functions::add(const Entry& entry, const FunctionSurroundings& surroundings)
+Dictionary completedFunction(const Dictionary& function, std::vector<Key> keysOfType)
 {
-    if (!entry.isDictionary())
-    {
-        if (scalarValue(entry) || entry.usedByMacro) { return; } // a constant of the functions' expressions
-        throw Error(Fault::input, entry.origin(), "is no function",
-                    fmt::format("write {} {{ type errorNorms; ... }}", entry.keyword()));
-    }
-    const Dictionary& given = entry.dictionary();
-    if (given.has("enabled") && !given.flag("enabled")) { return; }
-    if (!given.has("type"))
-    {
-        throw given.error("type", "is missing", fmt::format("known are: {}", listOfWords("", types.names())));
-    }
-    const FunctionType& type = *types[given.word("type")];
-    const Dictionary dictionary = schemaOf(type).complete(given);
-    Function function{.name = entry.keyword(),
-                      .control = readOutputControl(dictionary),
-                      .sampling = readSamplingControl(dictionary),
-                      .timeStart = numberOr(dictionary, "timeStart", -noLimit),
-                      .timeEnd = numberOr(dictionary, "timeEnd", noLimit),
-                      .object = type.make(entry.keyword(), dictionary, surroundings)};
-    functions_.push_back(std::move(function));
+    std::vector<Key> keys = std::move(keysOfType);
+    std::ranges::copy_if(functionKeys(), std::back_inserter(keys),
+                         [own = keys](const Key& key)
+                         { return std::ranges::find(own, key.name, &Key::name) == own.end(); });
+    return Schema("functions", std::move(keys)).complete(function);
 }
 
-void Functions::execute(const StepEvent& event, const FlowAtTime& now)
+FunctionSchedule readFunctionSchedule(const Dictionary& function)
 {
-    const double slack = 1e-9 * event.dt;
-    for (Function& function : functions_)
-    {
-        // Controls count every event, also those outside of the window.
-        const bool samples = function.sampling && function.sampling->due(event);
-        const bool executes = function.control.due(event);
-        if (event.time < function.timeStart - slack || event.time > function.timeEnd + slack) { continue; }
-        if (samples) { function.object->accumulate(now); }
-        if (executes) { function.object->execute(now); }
-    }
+    return {.control = readOutputControl(function),
+            .sampling = readSamplingControl(function),
+            .timeStart = numberOr(function, "timeStart", -noLimit),
+            .timeEnd = numberOr(function, "timeEnd", noLimit)};
 }
 
-void Functions::executeAll(const FlowAtTime& now)
+Functions::Functions(const Dictionary& functions, const FunctionSurroundings& surroundings)
 {
-    for (Function& function : functions_)
-    {
-        if (!function.sampling) { function.object->execute(now); }
-    }
-}
-
-double Functions::nextTime() const
-{
-    double next = noLimit;
-    for (const Function& function : functions_) { next = std::min(next, function.nextTime()); }
-    return next;
-}
-
-double Functions::Function::nextTime() const
-{
-    const double next = std::min(control.nextTime(), sampling ? sampling->nextTime() : noLimit);
-    return next <= timeEnd ? next : noLimit;
-}
-
-std::vector<Functions::Norm> Functions::errors() const
-{
-    std::vector<Norm> norms;
-    for (const Function& function : functions_)
-    {
-        std::ranges::move(function.object->errors(), std::back_inserter(norms));
-    }
-    return norms;
+    forEachFunction(functions, types.names(),
+                    [&](const std::string& name, const Dictionary& given)
+                    {
+                        const FunctionType& type = *types[given.word("type")];
+                        const Dictionary function = completedFunction(given, type.keys());
+                        add(readFunctionSchedule(function), type.make(name, function, surroundings));
+                    });
 }
 
 } // namespace isph

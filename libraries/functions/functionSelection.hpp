@@ -5,9 +5,9 @@
 #include "core/Selection.hpp"
 #include "dictionary/Schema.hpp"
 #include "functions/FunctionObject.hpp"
+#include "functions/ScheduledFunctions.hpp"
 
-#include <memory>
-#include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -36,7 +36,7 @@ std::vector<Key> functionKeys();
 std::vector<ListedWord> functionTypes();
 
 /// The functions of a controlDict with their output controls.
-class Functions
+class Functions : public ScheduledFunctions<FlowAtTime>
 {
 public:
     Functions() = default;
@@ -45,37 +45,22 @@ public:
     /// \throws Error(input) with every slip in it.
     Functions(const Dictionary& functions, const FunctionSurroundings& surroundings);
 
-    /// Runs those that are due at this event.
-    void execute(const StepEvent& event, const FlowAtTime& now);
-
-    /// Runs them, whatever their output control says (-postProcess): all but those that gather over a run, of which the
-    /// times that were written hold too little.
-    void executeAll(const FlowAtTime& now);
-
-    /// Earliest time a step has to end at for one of them (adjustableRunTime); infinity if there is none.
-    double nextTime() const;
-
-    bool empty() const { return functions_.empty(); }
-
-    /// Last norms of every errorNorms, for report.json.
     using Norm = ErrorNorm;
-    std::vector<Norm> errors() const;
-
-private:
-    struct Function
-    {
-        std::string name;
-        OutputControl control;
-        std::optional<OutputControl> sampling; ///< executeControl, of functions that gather over time
-        double timeStart;                      ///< [s], of the window the function runs in
-        double timeEnd;                        ///< [s]
-        std::unique_ptr<FunctionObject> object;
-
-        double nextTime() const;
-    };
-    void add(const Entry& entry, const FunctionSurroundings& surroundings);
-
-    std::vector<Function> functions_;
 };
+
+/// What programs read of a sub-dictionary `functions`, whatever it is that their functions see: calls visit(name,
+/// dictionary) for every function that is enabled.
+/// \param types that its programs know
+/// \throws Error(input) with every slip of the functions, those that visit throws included.
+void forEachFunction(const Dictionary& functions, const std::vector<std::string>& types,
+                     const std::function<void(const std::string&, const Dictionary&)>& visit);
+
+/// The dictionary of a function, completed by the keys of its type and those of every function; the type may give a key
+/// of the latter another default.
+Dictionary completedFunction(const Dictionary& function, std::vector<Key> keysOfType);
+
+/// When a function runs.
+/// \param function completed
+FunctionSchedule readFunctionSchedule(const Dictionary& function);
 
 } // namespace isph
