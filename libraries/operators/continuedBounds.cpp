@@ -1,10 +1,9 @@
 #include "operators/continuedBounds.hpp"
 
-#include "continuation/LineSymbol.hpp"
+#include "operators/lineSymbolOf.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace isph
 {
@@ -19,15 +18,14 @@ OperatorBounds continuedBounds(const Lattice& lattice, const Continuations& cont
         const Axis& axis = lattice.activeAxis(d);
         const auto& continuation = continuations[static_cast<std::size_t>(lattice.direction(d))];
         const int length = axis.count + (continuation ? continuation->newPoints() : 0);
-        const LineSymbol symbol = lineSymbol(kernel, length, axis.spacing());
+        const LineSymbol symbol = lineSymbolOf(kernel, form, length, axis.spacing());
         double largestFirst = 0;
         double largestSecond = 0;
         double leastSecond = 0;
         for (std::size_t m = 1; m < symbol.second.size(); ++m)
         {
-            const double k = 2 * std::numbers::pi * static_cast<double>(m) / (length * axis.spacing());
             const double first = std::abs(symbol.first[m]);
-            const double second = form == LaplacianForm::exact ? k * k : symbol.second[m];
+            const double second = symbol.second[m];
             largestFirst = std::max(largestFirst, first);
             largestSecond = std::max(largestSecond, second);
             leastSecond = std::min(leastSecond, second);
