@@ -1,0 +1,96 @@
+#pragma once
+
+#include "boundary/FlowBoundary.hpp"
+#include "continuation/ContinuedDerivative.hpp"
+#include "core/Timings.hpp"
+#include "flow/FlowSettings.hpp"
+#include "flow/Fluid.hpp"
+#include "flow/IncompressibleFlow.hpp"
+#include "operators/DerivativeSymbol.hpp"
+#include "poisson/BoundedPoisson.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace isph
+{
+
+/// ISPH in a box with walls, inlets and outlets: operators by Fourier continuation, one axis at a time, the pressure by
+/// real transforms (Lin, Fourtakas & Rogers 2026, with the wall condition of docs/theory/walls.md).
+class BoundedFlow : public IncompressibleFlow
+{
+public:
+    /// fluid, settings and boundary must outlive the flow; the boundary holds the data of the flow's time.
+    /// \throws Error(input) without origin where an axis has too few points.
+    BoundedFlow(const Lattice& lattice, const Fluid& fluid, const FlowSettings& settings, FlowBoundary& boundary,
+                Timings& timings, PlanEffort effort = PlanEffort::measured);
+
+    StartReport start(const RealField& velocity, bool project) override;
+    void save(FieldWriter& writer) const override;
+    void restore(const FieldReader& reader) override;
+    bool restores(const FieldReader& reader) const override;
+    void stepBack() override;
+    StepRates rates() override;
+    void advance(const Substep& substep, double t, double dt) override;
+    const RealField& velocity() override { return velocity_; }
+    const RealField& pressure(double t) override;
+    const RealField& divergence() override;
+    long transforms() const override { return transforms_; }
+    std::string planFingerprint() const override { return "estimated"; }
+
+    const OperatorBounds& bounds() const { return bounds_; }
+
+private:
+    /// The derivative of a velocity component along an active axis, and what its walls give it.
+    ContinuedDerivative& derivative(int component, int d);
+    EndData endData(int component, int d) const;
+
+    void makeDerivatives(PlanEffort effort);
+    bool old(WallTreatment treatment) const { return settings_.walls == treatment; }
+
+    /// rate = -(u . D)u + nu lap u + f at all points, walls included.
+    void evaluateRate(double t);
+    void addDivergence(const RealField& u, RealField& divergence);
+    /// u -= period D phi.
+    void subtractGradient(double period, const RealField& phi, RealField& u);
+    /// Solves lap phi = div u/period with what slopes_ says at the faces. \param keepsWalls u has what walls prescribe
+    void solvePressure(const RealField& u, double period, bool keepsWalls, RealField& phi);
+    /// What the faces ask of the gradient of phi: the normal component of u there ...
+    void readNormal(const RealField& u, double factor);
+    /// ... less the prescribed one ...
+    void subtractPrescribed(double factor);
+    /// ... but where the pressure itself is prescribed, or its slope.
+    void readPressures();
+    void slopesOfSource(int d);
+
+    Lattice lattice_;
+    const Fluid& fluid_;
+    const FlowSettings& settings_;
+    FlowBoundary& boundary_;
+    Timings& timings_;
+    int dimensions_;
+    OperatorBounds bounds_;
+    std::vector<ContinuedDerivative> derivatives_;
+    std::array<std::array<std::size_t, 3>, 3> derivativeOf_{}; ///< by component and axis
+    std::array<std::size_t, 3> pressureDerivative_{};          ///< by axis
+    std::optional<BoundedPoisson> poisson_;
+    std::optional<int> closedAxis_; ///< the only bounded axis: its pressure is fourth order
+    std::array<std::array<std::vector<double>, 2>, 3> slopes_;
+    std::array<std::vector<double>, 2> sourceSlopes_;
+
+    RealField velocity_;
+    RealField before_; ///< the velocity before the last step
+    RealField rate_;
+    RealField previousRate_;
+    RealField force_;
+    RealField scratch_;
+    RealField source_;
+    RealField phi_;
+    RealField oldPressure_; ///< of treatments that need it
+    RealField oldPressureBefore_;
+    RealField pressure_;
+    double lastStep_ = 0;
+    long transforms_ = 0;
+};
+
+} // namespace isph

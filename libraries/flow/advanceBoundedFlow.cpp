@@ -1,0 +1,240 @@
+#include "flow/BoundedFlow.hpp"
+
+#include <algorithm>
+#include <functional>
+
+namespace isph
+{
+
+namespace
+{
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+void copy(const RealField& from, RealField& to)
+{
+    for (int c = 0; c < from.components(); ++c) { std::ranges::copy(from[c], to[c].begin()); }
+}
+
+} // namespace
+
+void BoundedFlow::evaluateRate(double t)
+{
+    for (int c = 0; c < dimensions_; ++c) { std::ranges::fill(rate_[c], 0.0); }
+    const bool convects = settings_.convection != ConvectionForm::none;
+    const double nu = settings_.crankNicolson ? 0 : fluid_.nu;
+    if (convects || nu > 0)
+    {
+        const auto scope = timings_.scope(Phase::transforms);
+        for (int c = 0; c < dimensions_; ++c)
+        {
+            for (int d = 0; d < dimensions_; ++d)
+            {
+                const auto carrier = convects ? std::span<const double>(velocity_[d]) : std::span<const double>();
+                derivative(c, d).addTransport(velocity_[c], carrier, nu, rate_[c], endData(c, d));
+            }
+        }
+        transforms_ += dimensions_ * dimensions_ * (1 + (convects ? 1 : 0) + (nu > 0 ? 1 : 0));
+    }
+    if (fluid_.bodyForce)
+    {
+        fluid_.bodyForce->evaluate(t, force_);
+        for (int c = 0; c < dimensions_; ++c)
+        {
+            std::ranges::transform(rate_[c], force_[c], rate_[c].begin(), std::plus<>());
+        }
+    }
+}
+
+void BoundedFlow::addDivergence(const RealField& u, RealField& divergence)
+{
+    const auto scope = timings_.scope(Phase::transforms);
+    std::ranges::fill(divergence[0], 0.0);
+    for (int d = 0; d < dimensions_; ++d)
+    {
+        derivative(d, d)(u[d], scratch_[0], {}, endData(d, d));
+        std::ranges::transform(divergence[0], scratch_[0], divergence[0].begin(), std::plus<>());
+    }
+    transforms_ += 2 * dimensions_;
+}
+
+void BoundedFlow::subtractGradient(double period, const RealField& phi, RealField& u)
+{
+    const auto scope = timings_.scope(Phase::transforms);
+    for (int d = 0; d < dimensions_; ++d)
+    {
+        derivatives_[pressureDerivative_[at(d)]](phi[0], scratch_[0], {});
+        std::ranges::transform(u[d], scratch_[0], u[d].begin(),
+                               [period](double v, double slope) { return v - period * slope; });
+    }
+    transforms_ += 2 * dimensions_;
+}
+
+void BoundedFlow::readNormal(const RealField& u, double factor)
+{
+    for (int d = 0; d < dimensions_; ++d)
+    {
+        if (lattice_.activeAxis(d).periodic()) { continue; }
+        const LineLayout lines = linesAlong(lattice_, lattice_.direction(d));
+        for (std::size_t side = 0; side < 2; ++side)
+        {
+            const std::size_t end = side * (lines.count - 1) * lines.inner;
+            auto& slopes = slopes_[at(d)][side];
+            for (std::size_t l = 0; l < slopes.size(); ++l) { slopes[l] = factor * u[d][lines.start(l) + end]; }
+        }
+    }
+}
+
+void BoundedFlow::subtractPrescribed(double factor)
+{
+    for (int d = 0; d < dimensions_; ++d)
+    {
+        const int direction = lattice_.direction(d);
+        if (lattice_.axis(direction).periodic()) { continue; }
+        for (const Side side : {Side::low, Side::high})
+        {
+            auto& slopes = slopes_[at(d)][side == Side::low ? 0 : 1];
+            const auto prescribed = boundary_.velocity(direction, side, d);
+            for (std::size_t l = 0; l < prescribed.size(); ++l) { slopes[l] -= factor * prescribed[l]; }
+        }
+    }
+}
+
+void BoundedFlow::readPressures()
+{
+    for (int d = 0; d < dimensions_; ++d)
+    {
+        const int direction = lattice_.direction(d);
+        if (lattice_.axis(direction).periodic()) { continue; }
+        for (const Side side : {Side::low, Side::high})
+        {
+            const PressureCondition condition = boundary_.face(direction, side).pressure;
+            if (condition == PressureCondition::zeroGradient) { continue; }
+            auto& slopes = slopes_[at(d)][side == Side::low ? 0 : 1];
+            // Values as they are; outward slopes turned along the axis.
+            const double sign = condition == PressureCondition::gradient && side == Side::low ? -1 : 1;
+            const auto given = boundary_.pressure(direction, side);
+            for (std::size_t l = 0; l < slopes.size(); ++l) { slopes[l] = given.empty() ? 0 : sign * given[l]; }
+        }
+    }
+}
+
+void BoundedFlow::slopesOfSource(int d)
+{
+    // One-sided differences of fifth order.
+    constexpr std::array<double, 6> weights{-137.0 / 60, 5, -5, 10.0 / 3, -5.0 / 4, 1.0 / 5};
+    const int direction = lattice_.direction(d);
+    const LineLayout lines = linesAlong(lattice_, direction);
+    const double spacing = lattice_.axis(direction).spacing();
+    const auto source = source_[0];
+    for (std::size_t l = 0; l < lines.lines(); ++l)
+    {
+        const std::size_t low = lines.start(l);
+        const std::size_t high = low + (lines.count - 1) * lines.inner;
+        double slopeLow = 0;
+        double slopeHigh = 0;
+        for (std::size_t j = 0; j < weights.size(); ++j)
+        {
+            slopeLow += weights[j] * source[low + j * lines.inner];
+            slopeHigh -= weights[j] * source[high - j * lines.inner];
+        }
+        const bool lowValue = boundary_.face(direction, Side::low).pressure == PressureCondition::value;
+        const bool highValue = boundary_.face(direction, Side::high).pressure == PressureCondition::value;
+        sourceSlopes_[0][l] = lowValue ? source[low] : slopeLow / spacing;
+        sourceSlopes_[1][l] = highValue ? source[high] : slopeHigh / spacing;
+    }
+}
+
+void BoundedFlow::solvePressure(const RealField& u, double period, bool keepsWalls, RealField& phi)
+{
+    addDivergence(u, source_);
+    const auto scope = timings_.scope(Phase::poisson);
+    for (double& value : source_[0]) { value /= period; }
+    readPressures();
+    WallData walls;
+    for (int d = 0; d < dimensions_; ++d)
+    {
+        const int direction = lattice_.direction(d);
+        const Axis& axis = lattice_.axis(direction);
+        if (axis.periodic()) { continue; }
+        const auto given = [&](Side side, std::size_t s) -> std::span<const double>
+        {
+            const bool slope = boundary_.face(direction, side).pressure == PressureCondition::zeroGradient;
+            // Walls that were reset, or lie off the points, ask for no correction.
+            if (slope && (keepsWalls || axis.staggered)) { return {}; }
+            return slopes_[at(d)][s];
+        };
+        walls[at(direction)] = {given(Side::low, 0), given(Side::high, 1)};
+    }
+    if (closedAxis_)
+    {
+        slopesOfSource(*closedAxis_);
+        poisson_->solveClosed(source_, walls, {sourceSlopes_[0], sourceSlopes_[1]}, phi);
+    }
+    else { poisson_->solve(source_, walls, phi); }
+    transforms_ += 2 * dimensions_;
+}
+
+void BoundedFlow::advance(const Substep& substep, double t, double dt)
+{
+    const double period = substep.a * dt;
+    if (substep.first) { copy(velocity_, before_); }
+    lastStep_ = dt;
+    boundary_.update(t + substep.start * dt);
+    evaluateRate(t + substep.start * dt);
+    {
+        const auto scope = timings_.scope(Phase::pointwise);
+        const double g = dt * substep.g;
+        const double z = substep.first ? 0 : dt * substep.z;
+        for (int c = 0; c < dimensions_; ++c)
+        {
+            const auto u = velocity_[c];
+            const auto now = rate_[c];
+            const auto past = previousRate_[c];
+            if (substep.first)
+            {
+                for (std::size_t i = 0; i < u.size(); ++i) { u[i] += g * now[i]; }
+            }
+            else
+            {
+                for (std::size_t i = 0; i < u.size(); ++i) { u[i] += g * now[i] + z * past[i]; }
+            }
+        }
+        std::swap(rate_, previousRate_);
+    }
+    boundary_.update(t + (substep.start + substep.a) * dt);
+    const bool paper = old(WallTreatment::paper);
+    if (paper) { boundary_.impose(velocity_); }
+    readNormal(velocity_, 1 / period);
+    subtractPrescribed(1 / period);
+    solvePressure(velocity_, period, paper, phi_);
+    subtractGradient(period, phi_, velocity_);
+    const auto scope = timings_.scope(Phase::boundary);
+    boundary_.impose(velocity_);
+}
+
+const RealField& BoundedFlow::pressure(double t)
+{
+    if (pressure_.components() == 0) { pressure_ = RealField(1, lattice_.points()); }
+    // The rate of change itself, projected: its prescribed normal component is the walls' acceleration.
+    const long made = transforms_;
+    boundary_.update(t);
+    evaluateRate(t);
+    readNormal(rate_, 1);
+    if (boundary_.dependsOnTime())
+    {
+        const double pause = 0.01 * (lastStep_ > 0 ? lastStep_ : 1 / (rates().convective + rates().viscous));
+        const double before = std::max(t - pause, std::min(t, 0.0));
+        const double weight = 1 / (t + pause - before);
+        boundary_.update(t + pause);
+        subtractPrescribed(weight);
+        boundary_.update(before);
+        subtractPrescribed(-weight);
+        boundary_.update(t);
+    }
+    solvePressure(rate_, 1, false, pressure_);
+    transforms_ = made;
+    return pressure_;
+}
+
+} // namespace isph

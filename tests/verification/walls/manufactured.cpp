@@ -1,0 +1,145 @@
+// A manufactured flow with no-slip walls and a pressure whose wall slope does not vanish: psi = c(t) X(x) Y(y),
+// u = X Y', v = -X' Y, in a channel (x periodic) and in a box; docs/theory/walls.md, section 5.
+
+#include "support/boundedRun.hpp"
+#include "support/record.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+using namespace isph;
+using namespace isph::test;
+using std::numbers::pi;
+
+namespace
+{
+
+/// A function of one coordinate with three derivatives.
+using Jet = std::array<double, 4>;
+
+Jet sineSquared(double x)
+{
+    return {std::pow(std::sin(pi * x), 2), pi * std::sin(2 * pi * x), 2 * pi * pi * std::cos(2 * pi * x),
+            -4 * pi * pi * pi * std::sin(2 * pi * x)};
+}
+
+struct Manufactured
+{
+    bool box;
+    double nu = 0.01;
+
+    static double c(double t) { return 1 + 0.5 * std::sin(0.7 * pi * t); }
+    static double dc(double t) { return 0.35 * pi * std::cos(0.7 * pi * t); }
+
+    Jet X(double x) const
+    {
+        const double k = 2 * pi;
+        Jet jet =
+            box ? sineSquared(x)
+                : Jet{std::sin(k * x), k * std::cos(k * x), -k * k * std::sin(k * x), -k * k * k * std::cos(k * x)};
+        for (double& value : jet) { value *= 0.15; }
+        return jet;
+    }
+
+    double velocity(int component, double x, double y, double t) const
+    {
+        const Jet a = X(x);
+        const Jet b = sineSquared(y);
+        return c(t) * (component == 0 ? a[0] * b[1] : -a[1] * b[0]);
+    }
+
+    double pressure(double x, double y, double t) const
+    {
+        return 0.3 * c(t) * std::exp(y) * (box ? std::sin(1.5 * x) + 0.3 : std::cos(2 * pi * x));
+    }
+
+    double force(int component, double x, double y, double t) const
+    {
+        const Jet a = X(x);
+        const Jet b = sineSquared(y);
+        const double u = velocity(0, x, y, t);
+        const double v = velocity(1, x, y, t);
+        const double factor = 0.3 * c(t) * std::exp(y);
+        if (component == 0)
+        {
+            const double slope = box ? 1.5 * std::cos(1.5 * x) : -2 * pi * std::sin(2 * pi * x);
+            return dc(t) * a[0] * b[1] + c(t) * (u * a[1] * b[1] + v * a[0] * b[2]) + factor * slope -
+                   nu * c(t) * (a[2] * b[1] + a[0] * b[3]);
+        }
+        return -dc(t) * a[1] * b[0] - c(t) * (u * a[2] * b[0] + v * a[1] * b[1]) + pressure(x, y, t) +
+               nu * c(t) * (a[3] * b[0] + a[1] * b[2]);
+    }
+};
+
+struct Errors
+{
+    double velocity;
+    double pressure;
+};
+
+Errors errorsAt(bool box, int intervals, double end, WallTreatment walls = WallTreatment::consistent)
+{
+    const Manufactured flow{box};
+    const Lattice lattice = unitBox(intervals, intervals, box);
+    Fluid fluid{.nu = flow.nu};
+    fluid.bodyForce = std::make_unique<PlainForce>(lattice, [flow](int c, double x, double y, double, double t)
+                                                   { return flow.force(c, x, y, t); });
+    std::array<std::array<FaceCondition, 2>, 3> faces;
+    if (box) { faces[0] = {wallAtRest("sides"), wallAtRest("sides")}; }
+    faces[1] = {wallAtRest("walls"), wallAtRest("walls")};
+    FlowSettings settings = boundedSettings(lattice);
+    settings.walls = walls;
+    BoundedRun run(lattice, std::move(fluid), std::move(settings), std::move(faces));
+    run.start([flow](int c, double x, double y, double) { return flow.velocity(c, x, y, 0); }, false);
+    const double h = 1.0 / intervals;
+    run.march(end, static_cast<int>(std::ceil(end / std::min(0.1 * h * h / flow.nu, 0.25 * h) - 1e-9)));
+
+    const auto difference = [](const RealField& a, RealField b)
+    {
+        double sum = 0;
+        double mean = 0;
+        for (std::size_t i = 0; i < b.size(); ++i) { mean += (b[0][i] - a[0][i]) / static_cast<double>(b.size()); }
+        for (int c = 0; c < b.components(); ++c)
+        {
+            for (std::size_t i = 0; i < b.size(); ++i)
+            {
+                sum += std::pow(b[c][i] - a[c][i] - (b.components() == 1 ? mean : 0), 2);
+            }
+        }
+        // Root mean square over points and components.
+        return std::sqrt(sum / static_cast<double>(b.size()) / b.components());
+    };
+    return {
+        difference(run.flow.velocity(),
+                   fieldOf(lattice, 2, [&](int c, double x, double y, double) { return flow.velocity(c, x, y, end); })),
+        difference(run.flow.pressure(end),
+                   fieldOf(lattice, 1, [&](int, double x, double y, double) { return flow.pressure(x, y, end); }))};
+}
+
+void checkOrder(bool box, double end, const std::array<double, 4>& bound)
+{
+    constexpr std::array<int, 4> intervals{24, 32, 48, 64};
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < intervals.size(); ++i)
+    {
+        const Errors found = errorsAt(box, intervals[i], end);
+        record("manufactured " + std::string(box ? "box" : "channel") + " N " + std::to_string(intervals[i]),
+               found.velocity);
+        record("pressure", found.pressure);
+        EXPECT_LE(found.velocity, 1.2 * bound[i]) << intervals[i];
+        errors.push_back(found.velocity);
+    }
+    EXPECT_GE(std::log(errors.front() / errors.back()) / std::log(64.0 / 24), 4.0);
+}
+
+} // namespace
+
+TEST(BoundedManufactured, W7_channelConvergesInFourthOrder)
+{
+    checkOrder(false, 0.25, {3.9e-6, 1.2e-6, 1.8e-7, 4.7e-8});
+}
+
+TEST(BoundedManufactured, W6_boxConvergesInFourthOrder) { checkOrder(true, 0.5, {8.8e-6, 2.4e-6, 3.9e-7, 1.1e-7}); }
