@@ -245,6 +245,12 @@ std::span<const double> FlowBoundary::pressure(int direction, Side side) const
     return faces_[at(direction)][at(side)].pressure;
 }
 
+std::array<std::span<const double>, 3> FlowBoundary::coordinates(int direction, Side side) const
+{
+    const auto& [x, y, z] = faces_[at(direction)][at(side)].coordinates;
+    return {x, y, z};
+}
+
 void FlowBoundary::impose(RealField& U) const
 {
     // The corner rule made faces agree on the points they share, so their order does not matter.

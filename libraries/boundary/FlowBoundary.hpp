@@ -92,6 +92,9 @@ public:
     /// Prescribed pressure or outward derivative; empty: zero, or not prescribed.
     std::span<const double> pressure(int direction, Side side) const;
 
+    /// Coordinates x, y, z of the points of a face, or of their feet [m].
+    std::array<std::span<const double>, 3> coordinates(int direction, Side side) const;
+
     /// Overwrites the velocity at the points that lie on faces with what they prescribe. Nothing on staggered axes.
     void impose(RealField& U) const;
 

@@ -14,7 +14,8 @@ Scene::Scene(const Case& flowCase, const std::string& time)
       fluid(readFluid(flowCase, lattice)),
       settings(readFlowSettings(flowCase.dictionary("system/schemes"), flowCase.dictionary("system/solution"), lattice,
                                 fluid)),
-      files(readFlowFiles(flowCase, time, lattice, fluid))
+      files(readFlowFiles(flowCase, time, lattice, fluid)),
+      boundary(readFlowBoundary(flowCase, time, lattice, fluid, files))
 {
 }
 

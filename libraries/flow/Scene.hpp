@@ -1,5 +1,6 @@
 #pragma once
 
+#include "boundary/FlowBoundary.hpp"
 #include "case/Case.hpp"
 #include "core/Timings.hpp"
 #include "flow/FlowSettings.hpp"
@@ -24,6 +25,7 @@ struct Scene
     Fluid fluid;
     FlowSettings settings;
     FlowFiles files;
+    FlowBoundary boundary; ///< with the data of the time that was read
 };
 
 /// The flow of a scene: in Fourier space, or at the points for neighbour summation. The scene must outlive it.

@@ -2,11 +2,14 @@
 
 #include "flow/Scene.hpp"
 
+#include "boundary/readBoundary.hpp"
 #include "caseFields/FieldsOfTime.hpp"
 #include "caseFields/readFieldFile.hpp"
 #include "caseFields/unitOf.hpp"
 
 #include <array>
+#include <utility>
+#include <vector>
 
 namespace isph
 {
@@ -28,6 +31,7 @@ Dictionary readVelocityFile(const Case& flowCase, const std::string& time, const
     {
         throw U.error("dimensions", "are not those of a velocity", "write [0 1 -1 0 0 0 0]");
     }
+    checkVelocityConditions(U, lattice);
     return U;
 }
 
@@ -45,18 +49,45 @@ Dictionary readPressureFile(const Case& flowCase, const std::string& time, const
         throw p.error("dimensions", "ask for a pressure in Pa, but there is no density",
                       "add rho [1 -3 0 0 0 0 0] ...; to constant/transportProperties");
     }
+    checkPressureConditions(p, lattice);
     return p;
 }
 
 FlowFiles readFlowFiles(const Case& flowCase, const std::string& time, const Lattice& lattice, const Fluid& fluid)
 {
     FlowFiles files;
-    files.U = readVelocityFile(flowCase, time, lattice);
-    files.p = readPressureFile(flowCase, time, lattice, fluid);
+    std::vector<Complaint> slips;
+    const auto attempt = [&slips](const auto& read)
+    {
+        try
+        {
+            read();
+        }
+        catch (const Error& error)
+        {
+            slips.insert(slips.end(), error.complaints().begin(), error.complaints().end());
+        }
+    };
+    attempt([&] { files.U = readVelocityFile(flowCase, time, lattice); });
+    attempt([&] { files.p = readPressureFile(flowCase, time, lattice, fluid); });
+    if (!slips.empty()) { throw Error(Fault::input, std::move(slips)); }
+
     const Dimensions dimensions = files.p.dimensions("dimensions");
     if (dimensions == pascal) { files.pressureScale = *fluid.rho; }
     files.pressureUnit = unitOf(dimensions);
     return files;
+}
+
+FlowBoundary readFlowBoundary(const Case& flowCase, const std::string& time, const Lattice& lattice, const Fluid& fluid,
+                              const FlowFiles& files)
+{
+    BoundaryContext context;
+    context.constants.emplace_back("nu", fluid.nu);
+    if (fluid.rho) { context.constants.emplace_back("rho", *fluid.rho); }
+    context.folder = flowCase.directory();
+    context.pressureScale = files.pressureScale;
+    context.time = FieldsOfTime(flowCase, time).time();
+    return readBoundary(files.U, files.p, lattice, context);
 }
 
 StartReport readFlow(const Case& flowCase, const std::string& time, bool restart, const Scene& scene,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "boundary/FlowBoundary.hpp"
 #include "case/Case.hpp"
 #include "case/TimeDirectories.hpp"
 #include "flow/Fluid.hpp"
@@ -31,6 +32,11 @@ Dictionary readPressureFile(const Case& flowCase, const std::string& time, const
 /// lattice. \throws Error(input) with file and line: an unknown patch, a patch without condition, a type that does not
 /// fit, ...
 FlowFiles readFlowFiles(const Case& flowCase, const std::string& time, const Lattice& lattice, const Fluid& fluid);
+
+/// The boundary conditions that the files of a time folder hold, with the data of that time.
+/// \throws Error(input) with file and line where they make no well-posed problem (boundary/readBoundary.hpp).
+FlowBoundary readFlowBoundary(const Case& flowCase, const std::string& time, const Lattice& lattice, const Fluid& fluid,
+                              const FlowFiles& files);
 
 /// Brings the flow into the state of a time folder: the marching state where the solver wrote one for this kind of
 /// flow, else the velocity of the field U, projected if asked for. \param restart whether the solver wrote the folder

@@ -1,5 +1,6 @@
 #include "functions/flowListings.hpp"
 
+#include "boundary/conditionSelection.hpp"
 #include "flow/readFlowSettings.hpp"
 #include "functions/functionSelection.hpp"
 #include "kernels/kernelSelection.hpp"
@@ -17,6 +18,8 @@ std::vector<Listing> flowListings()
             {"listDealiasings", [] { return dealiasings().words(); }},
             {"listFilters", [] { return filters().words(); }},
             {"listEigenvalues", [] { return eigenvalueForms().words(); }},
+            {"listVelocityConditions", [] { return velocityConditions().words(); }},
+            {"listPressureConditions", [] { return pressureConditions().words(); }},
             {"listPresets", [] { return presets().words(); }},
             {"listFunctions", [] { return functionTypes(); }}};
 }
