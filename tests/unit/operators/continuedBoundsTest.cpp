@@ -1,6 +1,7 @@
 #include "operators/continuedBounds.hpp"
 
 #include "continuation/Mirror.hpp"
+#include "continuation/Polynomial.hpp"
 #include "continuation/SmoothGram.hpp"
 #include "operators/lineSymbolOf.hpp"
 #include "support/kernels.hpp"
@@ -45,13 +46,42 @@ TEST(ContinuedBounds, OfTheExactDerivativeReachTheNyquistWavenumberOfEachAxis)
     EXPECT_EQ(bounds.leastLaplacian, 0);
 }
 
-TEST(ContinuedBounds, OfKernelsAreLower)
+/// Largest second derivative of lines between walls, in units of (pi/dx)^2.
+double radius(const KernelSettings& kernel, std::unique_ptr<Continuation> continuation, int points = 65)
 {
-    // Lin, Fourtakas & Rogers' kernels: the radius of the second derivative in units of (pi/dx)^2.
-    const Lattice lattice = channel(256, 257);
-    const double unit = pi * pi * 2 * 256 * 256;
-    EXPECT_NEAR(continuedBounds(lattice, walls(31), test::closedGaussian(8, 1.3)).laplacian / unit, 0.47, 0.01);
-    EXPECT_NEAR(continuedBounds(lattice, walls(31), test::closedGaussian(4, 1.3)).laplacian / unit, 0.26, 0.01);
+    Axis wide{.name = 'x', .extent = 1, .count = 4096};
+    wide.extent = 1e6; // its own part vanishes
+    const Axis y{.name = 'y', .extent = 1, .count = points, .ends = Axis::Ends::bounded};
+    const Lattice lattice({wide, y, Axis{.name = 'z'}}, {});
+    Continuations continuations;
+    continuations[1] = std::move(continuation);
+    return continuedBounds(lattice, continuations, kernel).laplacian / std::pow(pi * (points - 1), 2);
+}
+
+std::unique_ptr<Continuation> smooth(int degree) { return std::make_unique<SmoothGram>(25, degree, 16); }
+
+TEST(ContinuedBounds, KnowTheModesAtWalls)
+{
+    // Eigenvalues of the matrices, by a dense solver; the symbols alone reach 0.466, 0.201 and 0.085.
+    EXPECT_NEAR(radius(test::closedGaussian(8, 1.3), smooth(4)), 0.466, 0.002);
+    EXPECT_NEAR(radius(test::closedGaussian(4, 1.3), smooth(4)), 0.258, 0.005);
+    EXPECT_NEAR(radius(test::closedGaussian(4, 2), smooth(4)), 0.247, 0.005);
+    EXPECT_NEAR(radius(test::closedGaussian(4, 2), smooth(3)), 0.188, 0.005);
+    EXPECT_NEAR(radius(test::closedGaussian(4, 2), std::make_unique<Mirror>(25, false, 16)), 0.085, 0.005);
+}
+
+TEST(ContinuedBounds, TellWhereAContinuationMakesModesGrow)
+{
+    // Lin, Fourtakas & Rogers' polynomial through few points (docs/theory/continuation.md).
+    const auto least = [](int points, const KernelSettings& kernel)
+    {
+        Continuations continuations;
+        continuations[1] = std::make_unique<Polynomial>(32, 5, points, 2);
+        return continuedBounds(channel(128, 129), continuations, kernel).leastLaplacian;
+    };
+    EXPECT_LT(least(8, test::closedGaussian(4, 1.3)), -5e4);
+    EXPECT_EQ(least(32, test::closedGaussian(4, 1.3)), 0);
+    EXPECT_EQ(continuedBounds(channel(64, 33), walls(27), test::exactKernel()).leastLaplacian, 0);
 }
 
 TEST(LineSymbolOf, HasThreeFormsThatAgreeForLongWaves)
