@@ -18,6 +18,10 @@ std::vector<std::pair<std::string, double>> fluidConstants(const Case& theCase)
     {
         constants.emplace_back("rho", properties.dimensionedNumber("rho", {1, -3, 0, 0, 0, 0, 0}));
     }
+    if (properties.has("DT"))
+    {
+        constants.emplace_back("DT", properties.dimensionedNumber("DT", {0, 2, -1, 0, 0, 0, 0}));
+    }
     return constants;
 }
 

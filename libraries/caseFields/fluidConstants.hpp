@@ -9,7 +9,7 @@
 namespace isph
 {
 
-/// nu and rho of constant/transportProperties, as far as they are given there: constants of every expression.
+/// nu, rho and DT of constant/transportProperties, as far as they are given there: constants of every expression.
 std::vector<std::pair<std::string, double>> fluidConstants(const Case& theCase);
 
 } // namespace isph

@@ -1,8 +1,7 @@
 #include "functions/Probes.hpp"
 #include "functions/readFunctions.hpp"
+#include "functions/readProbeLocations.hpp"
 
-#include <array>
-#include <fmt/format.h>
 #include <utility>
 
 namespace isph
@@ -11,69 +10,13 @@ namespace isph
 namespace
 {
 
-std::vector<Key> keys()
-{
-    using enum Key::Type;
-    return {{.name = "probeLocations",
-             .type = list,
-             .unit = "m",
-             .meaning = "points, e.g. ((0.25 0.5 0) (0.75 0.5 0))",
-             .required = true},
-            {.name = "fields", .type = list, .fallback = "(U p)", .meaning = "any of U p vorticity divergence Q"},
-            {.name = "interpolation",
-             .type = word,
-             .fallback = "spectral",
-             .meaning = "how values between lattice points are found",
-             .words = interpolations().names()}};
-}
-
-/// ((x y z) (x y z) ...)
-Points readLocations(const Dictionary& dictionary)
-{
-    const std::vector<Token>& tokens = dictionary.find("probeLocations")->tokens();
-    const auto isBracket = [&](std::size_t i, std::string_view bracket)
-    { return tokens[i].kind == Token::Kind::bracket && tokens[i].text == bracket; };
-    Points points;
-    bool good = tokens.size() >= 7 && (tokens.size() - 2) % 5 == 0; // the outer brackets, and five tokens a point
-    for (std::size_t first = 1; good && first + 1 < tokens.size(); first += 5)
-    {
-        good = isBracket(first, "(") && isBracket(first + 4, ")");
-        for (std::size_t d = 0; good && d < 3; ++d)
-        {
-            good = tokens[first + 1 + d].kind == Token::Kind::number;
-            points[d].push_back(tokens[first + 1 + d].number);
-        }
-    }
-    if (!good)
-    {
-        throw dictionary.error("probeLocations", "is no list of points",
-                               "write e.g. probeLocations ((0.25 0.5 0) (0.75 0.5 0));");
-    }
-    return points;
-}
-
-Interpolator readInterpolator(const Dictionary& dictionary, const Lattice& lattice)
-{
-    const Points points = readLocations(dictionary);
-    for (std::size_t d = 0; d < 3; ++d)
-    {
-        const Axis& axis = lattice.axis(static_cast<int>(d));
-        for (std::size_t n = 0; n < points[d].size(); ++n)
-        {
-            if (inside(axis, points[d][n])) { continue; }
-            throw dictionary.error(
-                "probeLocations", fmt::format("point {} has {} = {}, outside of the box", n, axis.name, points[d][n]),
-                fmt::format("{} reaches from {} to {}", axis.name, axis.origin, axis.origin + axis.extent));
-        }
-    }
-    return {lattice, points, interpolations()[dictionary.word("interpolation")]};
-}
+std::vector<Key> keys() { return probeKeys("(U p)", "any of U p vorticity divergence Q"); }
 
 std::unique_ptr<FunctionObject> make(const std::string& name, const Dictionary& dictionary,
                                      const FunctionSurroundings& surroundings)
 {
     return std::make_unique<Probes>(outputFile(name, "probes.csv", surroundings), surroundings.lattice,
-                                    readInterpolator(dictionary, surroundings.lattice),
+                                    readProbeLocations(dictionary, surroundings.lattice),
                                     FlowFields(surroundings.lattice, pressureForm(surroundings)),
                                     readQuantities(dictionary, "fields"));
 }

@@ -15,6 +15,7 @@ MAY_LINK = {
     "cleanCase": {"muparser"},
     "checkCase": {"muparser", "fftw", "hdf5"},
     "isphFoam": {"muparser", "fftw", "hdf5"},
+    "scalarTransportFoam": {"muparser", "fftw", "hdf5"},
     "sampleLines": {"muparser", "fftw", "hdf5"},
     "fcExtend": {"muparser", "fftw", "hdf5"},
     "mapFields": {"muparser", "fftw", "hdf5"},

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "transport/readTransport.hpp"
+#include "transport/ScalarTransport.hpp"
+
+#include "flow/describeScene.hpp"
+
+namespace isph
+{
+
+/// Everything a case says about a scalar and what carries it, but the values of the scalar. Stays where it is: the
+/// transport refers to its parts.
+struct TransportScene
+{
+    /// Reads constant/, system/schemes and the dictionaries of T and U. U is that of the start folder where it has one,
+    /// else of folder 0.
+    /// \throws Error(input) for whatever is wrong there.
+    TransportScene(const Case& theCase, const std::string& startTime);
+
+    Lattice lattice;
+    double diffusivity; ///< DT [m2/s]
+    FlowSettings settings;
+    std::unique_ptr<const GivenVelocity> velocity;
+    ScalarFile file;
+    ScalarBoundary boundary;
+};
+
+/// What a scene computes and leaves out, in words.
+SceneDescription describeTransport(const TransportScene& scene, const ScalarTransport& transport);
+
+/// Brings a scalar into the state of a time folder.
+/// \param restart whether the solver wrote the folder: then the values are taken bit by bit
+/// \return the part of its norm that dealiasing dropped
+/// \throws Error(input) where what enters the box is not prescribed.
+double startTransport(const Case& theCase, const std::string& time, bool restart, double t, TransportScene& scene,
+                      ScalarTransport& transport);
+
+} // namespace isph
