@@ -51,9 +51,15 @@ void attempt(std::vector<Complaint>& slips, const Action& action)
     }
 }
 
-void throwIfAny(std::vector<Complaint> slips)
+/// A slip in a pattern is told once, however many patches it stands for.
+void throwIfAny(const std::vector<Complaint>& slips)
 {
-    if (!slips.empty()) { throw Error(Fault::input, std::move(slips)); }
+    std::vector<Complaint> distinct;
+    for (const Complaint& slip : slips)
+    {
+        if (std::ranges::find(distinct, slip) == distinct.end()) { distinct.push_back(slip); }
+    }
+    if (!distinct.empty()) { throw Error(Fault::input, std::move(distinct)); }
 }
 
 /// The condition that a field's dictionary chooses for a patch.
@@ -155,7 +161,7 @@ public:
         {
             if (velocity_.contains(patch.name) && pressure_.contains(patch.name)) { checkPair(patch.name); }
         }
-        throwIfAny(std::move(slips_));
+        throwIfAny(slips_);
     }
 
     FlowBoundary read()
@@ -172,14 +178,14 @@ public:
                         });
             }
         }
-        throwIfAny(std::move(slips_));
+        throwIfAny(slips_);
 
         FlowBoundary boundary(lattice_, std::move(faces));
         update(boundary);
         checkLeftOutComponents(boundary);
         checkContradiction(boundary);
         checkFlux(boundary);
-        throwIfAny(std::move(slips_));
+        throwIfAny(slips_);
         return boundary;
     }
 
@@ -330,14 +336,14 @@ void checkVelocityConditions(const Dictionary& U, const Lattice& lattice)
 {
     std::vector<Complaint> slips;
     velocityChoices(U, lattice, slips);
-    throwIfAny(std::move(slips));
+    throwIfAny(slips);
 }
 
 void checkPressureConditions(const Dictionary& p, const Lattice& lattice)
 {
     std::vector<Complaint> slips;
     pressureChoices(p, lattice, slips);
-    throwIfAny(std::move(slips));
+    throwIfAny(slips);
 }
 
 FlowBoundary readBoundary(const Dictionary& U, const Dictionary& p, const Lattice& lattice,
