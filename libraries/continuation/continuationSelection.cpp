@@ -86,8 +86,8 @@ auto atEntry(const Dictionary& dictionary, std::string_view key, Make make)
 std::unique_ptr<Continuation> makeSmoothGram(const Dictionary& dictionary, const Axis& axis)
 {
     const int newPoints = newPointsOf(dictionary, axis, automaticNewPoints(axis.count));
-    const int degree = integerOr(dictionary, "degree", 4);
-    const int smoothness = integerOr(dictionary, "smoothness", 16);
+    const int degree = integerOr(dictionary, "degree", automaticDegree("smoothGram"));
+    const int smoothness = integerOr(dictionary, "smoothness", automaticSmoothness("smoothGram"));
     auto made =
         atEntry(dictionary, "degree", [&] { return std::make_unique<SmoothGram>(newPoints, degree, smoothness); });
     requirePoints(*made, dictionary, axis, "degree");
@@ -99,9 +99,9 @@ std::unique_ptr<Continuation> makePolynomial(const Dictionary& dictionary, const
     const int intervals = intervalsOf(axis);
     const int quarter = std::max(static_cast<int>(std::lround(0.25 * intervals)), 1);
     const int newPoints = newPointsOf(dictionary, axis, quarter);
-    const int degree = integerOr(dictionary, "degree", 5);
+    const int degree = integerOr(dictionary, "degree", automaticDegree("polynomial"));
     const int points = integerOr(dictionary, "points", std::max(Polynomial::automaticPoints(intervals), degree + 1));
-    const int smoothness = integerOr(dictionary, "smoothness", 2);
+    const int smoothness = integerOr(dictionary, "smoothness", automaticSmoothness("polynomial"));
     auto made = atEntry(dictionary, points < degree + 1 ? "points" : "degree",
                         [&] { return std::make_unique<Polynomial>(newPoints, degree, points, smoothness); });
     requirePoints(*made, dictionary, axis, "points");
@@ -111,7 +111,7 @@ std::unique_ptr<Continuation> makePolynomial(const Dictionary& dictionary, const
 std::unique_ptr<Continuation> makeGram(const Dictionary& dictionary, const Axis& axis)
 {
     const int newPoints = newPointsOf(dictionary, axis, automaticNewPoints(axis.count));
-    const int degree = integerOr(dictionary, "degree", 4);
+    const int degree = integerOr(dictionary, "degree", automaticDegree("gram"));
     const bool longOrShort = newPoints < Gram::leastNewPoints || newPoints > Gram::largestNewPoints;
     auto made = atEntry(dictionary, longOrShort ? "extension" : "degree",
                         [&] { return std::make_unique<Gram>(newPoints, degree); });
@@ -124,7 +124,8 @@ std::unique_ptr<Continuation> makeMirror(const Dictionary& dictionary, const Axi
     // Images of all points, and no more: a short axis cannot give the automatic number.
     const int images = axis.staggered ? axis.count : axis.count - 1;
     const int newPoints = newPointsOf(dictionary, axis, std::min(automaticNewPoints(axis.count), images));
-    auto made = std::make_unique<Mirror>(newPoints, axis.staggered, integerOr(dictionary, "smoothness", 16));
+    auto made = std::make_unique<Mirror>(newPoints, axis.staggered,
+                                         integerOr(dictionary, "smoothness", automaticSmoothness("mirror")));
     requirePoints(*made, dictionary, axis, "extension");
     return made;
 }
@@ -144,6 +145,10 @@ const Selection<Maker>& continuations()
     static constexpr Selection<Maker> selection("continuation", table);
     return selection;
 }
+
+// A polynomial is the published one, where nothing else is asked for.
+int automaticDegree(std::string_view type) { return type == "polynomial" ? 5 : 4; }
+int automaticSmoothness(std::string_view type) { return type == "polynomial" ? 2 : 16; }
 
 Key continuationKey()
 {

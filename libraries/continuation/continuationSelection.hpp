@@ -5,12 +5,18 @@
 #include "dictionary/Dictionary.hpp"
 #include "dictionary/Schema.hpp"
 
+#include <string_view>
+
 namespace isph
 {
 
 /// The continuations a dictionary may choose, each made for a bounded axis from its completed sub-dictionary
 /// `continuation`.
 const Selection<std::unique_ptr<Continuation> (*)(const Dictionary&, const Axis&)>& continuations();
+
+/// What `auto` stands for.
+int automaticDegree(std::string_view type);
+int automaticSmoothness(std::string_view type);
 
 /// The keys of the sub-dictionary `continuation`.
 Key continuationKey();

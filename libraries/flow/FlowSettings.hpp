@@ -9,6 +9,8 @@
 #include "spectral/dealiasing.hpp"
 #include "spectral/SpectralFilter.hpp"
 
+#include <string>
+
 namespace isph
 {
 
@@ -41,6 +43,7 @@ struct FlowSettings
 
     // Bounded axes only.
     Continuations continuations; ///< by direction; null for periodic axes
+    std::string continuation;    ///< what they are, for logs: "smoothGram, degree 4"
     bool extended = false;       ///< transform the whole extended box, as the paper does
     WallTreatment walls = WallTreatment::consistent;
     bool crankNicolson = false;    ///< the viscous term is implicit

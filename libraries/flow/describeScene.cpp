@@ -1,5 +1,8 @@
 #include "flow/describeScene.hpp"
 
+#include "flow/readFlowSettings.hpp"
+#include "lattice/fastCounts.hpp"
+
 #include <fmt/format.h>
 
 namespace isph
@@ -33,58 +36,156 @@ std::string describeFilter(const FilterSettings& filter)
     return "none";
 }
 
+/// "along y: smoothGram, degree 4, 25 new points make a period of 90, fast".
+std::string describeContinuation(const Axis& axis, const Continuation& continuation, const FlowSettings& settings)
+{
+    const int period = axis.count + continuation.newPoints();
+    return fmt::format("continuation along {}: {}, {} points at each end, {} new points make a period of {}, {}",
+                       axis.name, settings.continuation, continuation.points(), continuation.newPoints(), period,
+                       isFastCount(period) ? "fast" : "slow");
+}
+
+/// Transforms of all lines along one axis, one component of the velocity, a substep.
+int lineTransforms(int dimensions, bool convects, bool explicitViscosity, bool pressureByTransforms)
+{
+    const int derivatives = (convects ? 1 : 0) + (explicitViscosity ? 1 : 0);
+    const int momentum = derivatives > 0 ? dimensions * dimensions * (1 + derivatives) : 0;
+    constexpr int thereAndBack = 2; // divergence, pressure, gradient
+    return momentum + thereAndBack * dimensions * (pressureByTransforms ? 3 : 2);
+}
+
+class Description
+{
+public:
+    Description(const Lattice& lattice, const Fluid& fluid, const FlowSettings& settings)
+        : lattice_(lattice),
+          fluid_(fluid),
+          settings_(settings),
+          convects_(settings.convection != ConvectionForm::none),
+          viscous_(fluid.nu > 0),
+          bounded_(!lattice.periodic())
+    {
+        sortParts();
+        listSchemes();
+        countTransforms();
+    }
+
+    SceneDescription scene{};
+
+private:
+    void sortParts();
+    void sortAxes();
+    void listSchemes();
+    void countTransforms();
+
+    /// yes if it is active, else no is left out; an empty one is not said.
+    void choose(bool active, const std::string& yes, const std::string& no)
+    {
+        auto& list = active ? scene.active : scene.leftOut;
+        const std::string& part = active ? yes : no;
+        if (!part.empty()) { list.push_back(part); }
+    }
+
+    const Lattice& lattice_;
+    const Fluid& fluid_;
+    const FlowSettings& settings_;
+    bool convects_;
+    bool viscous_;
+    bool bounded_;
+};
+
+void Description::sortParts()
+{
+    const int dimensions = lattice_.dimensions();
+    const std::string_view viscous = viscousTreatments().nameOf(viscousTreatment(settings_));
+    scene.active.push_back(fmt::format("{} velocity components", dimensions));
+    choose(dimensions == 3, "three axes", "third component (an axis is left out)");
+    choose(convects_, fmt::format("convection: {}", convectionForms().nameOf(settings_.convection)), "convection");
+    choose(viscous_,
+           fmt::format("viscous term: {}, {}", laplacians().nameOf(settings_.laplacian),
+                       settings_.automaticViscous ? "explicit or CrankNicolson, whichever steps further" : viscous),
+           "viscous term (nu is 0)");
+    choose(fluid_.bodyForce != nullptr, "body force", "body force");
+    choose(settings_.filter.type != FilterSettings::Type::none, "filter: " + describeFilter(settings_.filter),
+           "filter");
+    sortAxes();
+}
+
+void Description::sortAxes()
+{
+    if (bounded_)
+    {
+        for (int d = 0; d < lattice_.dimensions(); ++d)
+        {
+            const Axis& axis = lattice_.activeAxis(d);
+            const auto& continuation = settings_.continuations[static_cast<std::size_t>(lattice_.direction(d))];
+            choose(continuation != nullptr,
+                   continuation ? describeContinuation(axis, *continuation, settings_) : std::string(),
+                   fmt::format("continuation along {} (periodic)", axis.name));
+        }
+        choose(settings_.extended, "transforms of the whole extended box", "transforms of the whole extended box");
+        scene.active.push_back(fmt::format("walls: {}", wallTreatments().nameOf(settings_.walls)));
+        choose(settings_.directPressure, "pressure: diagonalised continuation operators", "");
+    }
+    else
+    {
+        choose(settings_.dealiasing != Dealiasing::none, "dealiasing: two thirds", "dealiasing");
+        choose(settings_.exactMeanFlow && convects_, "mean flow carried exactly", "exact mean flow");
+        choose(settings_.incremental, "old pressure in the predictor", "old pressure in the predictor");
+        scene.leftOut.emplace_back("continuation (every axis is periodic)");
+    }
+    scene.leftOut.emplace_back("pressure in steps that write none");
+}
+
+void Description::listSchemes()
+{
+    scene.schemes = {
+        {"kernel", describeKernel(settings_.kernel)},
+        {"operators", settings_.directSum ? "directSum" : "spectral"},
+        {"convection", std::string(convectionForms().nameOf(settings_.convection))},
+        {"laplacian", viscous_ ? std::string(laplacians().nameOf(settings_.laplacian)) : "none"},
+        {"time", std::string(timeSchemes().nameOf(settings_.time))},
+        {"viscous", viscous_ ? std::string(viscousTreatments().nameOf(viscousTreatment(settings_))) : "none"},
+        {"meanFlow", settings_.exactMeanFlow ? "exact" : "none"},
+        {"dealiasing", std::string(dealiasings().nameOf(settings_.dealiasing))},
+        {"filter", describeFilter(settings_.filter)}};
+    if (bounded_)
+    {
+        scene.schemes.insert(scene.schemes.end(),
+                             {{"continuation", settings_.continuation + (settings_.extended ? ", extended" : "")},
+                              {"walls", std::string(wallTreatments().nameOf(settings_.walls))},
+                              {"solver", settings_.directPressure ? "direct" : "fft"}});
+    }
+    scene.schemes.emplace_back("eigenvalues", eigenvalueForms().nameOf(settings_.eigenvalues));
+    if (!bounded_) { scene.schemes.emplace_back("coupling", settings_.incremental ? "incremental" : "nonIncremental"); }
+}
+
+void Description::countTransforms()
+{
+    const int dimensions = lattice_.dimensions();
+    scene.transformsOfLines = bounded_;
+    if (bounded_)
+    {
+        scene.transformsPerSubstep =
+            lineTransforms(dimensions, convects_, viscous_ && !settings_.crankNicolson, !settings_.directPressure);
+        return;
+    }
+    if (settings_.directSum)
+    {
+        scene.transformsPerSubstep = 2;
+        return;
+    }
+    const auto convection =
+        makeConvection(settings_.convection, dimensions, settings_.eigenvalues == Eigenvalues::consistent);
+    scene.transformsPerSubstep = convection ? convection->inputs() + convection->products() : 0;
+    if (fluid_.bodyForce && fluid_.bodyForce->dependsOnTime()) { scene.transformsPerSubstep += dimensions; }
+}
+
 } // namespace
 
 SceneDescription describeScene(const Lattice& lattice, const Fluid& fluid, const FlowSettings& settings)
 {
-    SceneDescription scene{};
-    const auto choose = [&scene](bool active, const std::string& yes, const std::string& no)
-    {
-        if (active) { scene.active.push_back(yes); }
-        else if (!no.empty()) { scene.leftOut.push_back(no); }
-    };
-    const int dimensions = lattice.dimensions();
-    const bool convects = settings.convection != ConvectionForm::none;
-    const bool viscous = fluid.nu > 0;
-    scene.active.push_back(fmt::format("{} velocity components", dimensions));
-    choose(dimensions == 3, "three axes", "third component (an axis is left out)");
-    choose(convects, fmt::format("convection: {}", convectionForms().nameOf(settings.convection)), "convection");
-    choose(viscous,
-           fmt::format("viscous term: {}, {}", laplacians().nameOf(settings.laplacian),
-                       settings.integratingFactor ? "integrating factor" : "explicit"),
-           "viscous term (nu is 0)");
-    choose(fluid.bodyForce != nullptr, "body force", "body force");
-    choose(settings.dealiasing != Dealiasing::none, "dealiasing: two thirds", "dealiasing");
-    choose(settings.filter.type != FilterSettings::Type::none, "filter: " + describeFilter(settings.filter), "filter");
-    choose(settings.exactMeanFlow && convects, "mean flow carried exactly", "exact mean flow");
-    choose(settings.incremental, "old pressure in the predictor", "old pressure in the predictor");
-    scene.leftOut.emplace_back("continuation (every axis is periodic)");
-    scene.leftOut.emplace_back("pressure in steps that write none");
-
-    const std::string_view time = timeSchemes().nameOf(settings.time);
-    scene.schemes = {{"kernel", describeKernel(settings.kernel)},
-                     {"operators", settings.directSum ? "directSum" : "spectral"},
-                     {"convection", std::string(convectionForms().nameOf(settings.convection))},
-                     {"laplacian", viscous ? std::string(laplacians().nameOf(settings.laplacian)) : "none"},
-                     {"time", std::string(time)},
-                     {"viscous", !viscous                     ? "none"
-                                 : settings.integratingFactor ? "integratingFactor"
-                                                              : "explicit"},
-                     {"meanFlow", settings.exactMeanFlow ? "exact" : "none"},
-                     {"dealiasing", std::string(dealiasings().nameOf(settings.dealiasing))},
-                     {"filter", describeFilter(settings.filter)},
-                     {"eigenvalues", std::string(eigenvalueForms().nameOf(settings.eigenvalues))},
-                     {"coupling", settings.incremental ? "incremental" : "nonIncremental"}};
-
-    if (settings.directSum) { scene.transformsPerSubstep = 2; }
-    else
-    {
-        const auto convection =
-            makeConvection(settings.convection, dimensions, settings.eigenvalues == Eigenvalues::consistent);
-        scene.transformsPerSubstep = convection ? convection->inputs() + convection->products() : 0;
-        if (fluid.bodyForce && fluid.bodyForce->dependsOnTime()) { scene.transformsPerSubstep += dimensions; }
-    }
-    return scene;
+    return Description(lattice, fluid, settings).scene;
 }
 
 } // namespace isph

@@ -20,7 +20,8 @@ struct SceneDescription
     /// Every choice with its resolved value: "kernel" -> "gaussian, order 10, h/dx 1.5, closed".
     std::vector<std::pair<std::string, std::string>> schemes;
 
-    int transformsPerSubstep; ///< of one component
+    int transformsPerSubstep;       ///< of one component
+    bool transformsOfLines = false; ///< each is of the lines along one axis only, where an axis is bounded
 };
 
 SceneDescription describeScene(const Lattice& lattice, const Fluid& fluid, const FlowSettings& settings);

@@ -4,6 +4,7 @@
 #include "lattice/memoryEstimate.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace isph
 {
@@ -49,11 +50,35 @@ SolverStorage physicalStorage(int dimensions, const Fluid& fluid, const FlowSett
     return storage;
 }
 
+SolverStorage boundedStorage(int dimensions, const Fluid& fluid, const FlowSettings& settings)
+{
+    SolverStorage storage = boundedSolverStorage(dimensions);
+    if (fluid.bodyForce) { ++storage.realVectors; }
+    const bool oldPressure = settings.walls == WallTreatment::incremental ||
+                             settings.walls == WallTreatment::rotational || settings.walls == WallTreatment::slip;
+    if (oldPressure) { storage.realScalars += 3; } // now, before the step, in the file
+    if (settings.crankNicolson || settings.automaticViscous) { storage.realScalars += 2; }
+    return storage;
+}
+
+/// Dense matrices of the eigenbases along each axis, and back [bytes].
+double eigenbases(const Lattice& lattice)
+{
+    double entries = 0;
+    for (int d = 0; d < lattice.dimensions(); ++d) { entries += 2 * std::pow(lattice.activeAxis(d).count, 2); }
+    return 8 * entries;
+}
+
 } // namespace
 
 double flowMemory(const Lattice& lattice, const Fluid& fluid, const FlowSettings& settings)
 {
     const int dimensions = lattice.dimensions();
+    if (!lattice.periodic())
+    {
+        const bool dense = settings.crankNicolson || settings.automaticViscous || settings.directPressure;
+        return solverMemory(lattice, boundedStorage(dimensions, fluid, settings)) + (dense ? eigenbases(lattice) : 0);
+    }
     return solverMemory(lattice, settings.directSum ? physicalStorage(dimensions, fluid, settings)
                                                     : spectralStorage(dimensions, fluid, settings));
 }

@@ -3,7 +3,7 @@
 #include "continuation/continuationSelection.hpp"
 #include "kernels/kernelSelection.hpp"
 
-#include <algorithm>
+#include <string>
 
 namespace isph
 {
@@ -89,6 +89,14 @@ WallTreatment readWalls(const Dictionary& schemes, const Lattice& lattice)
     return walls;
 }
 
+std::string describeContinuation(const Dictionary& continuation)
+{
+    const std::string type = continuation.word("type").text;
+    if (type == "mirror") { return type; }
+    const bool automatic = continuation.find("degree")->tokens().front().kind != Token::Kind::number;
+    return type + ", degree " + std::to_string(automatic ? automaticDegree(type) : continuation.integer("degree"));
+}
+
 /// What acts along lines between walls, and what does not.
 void readBounded(const Dictionary& schemes, const Dictionary& solution, const Lattice& lattice, FlowSettings& settings)
 {
@@ -135,6 +143,7 @@ void readBounded(const Dictionary& schemes, const Dictionary& solution, const La
     }
     const Dictionary& continuation = schemes.dictionary("continuation");
     settings.continuations = selectContinuations(continuation, lattice);
+    settings.continuation = describeContinuation(continuation);
     settings.extended = continuation.flag("extended");
     settings.walls = readWalls(schemes, lattice);
     settings.integratingFactor = false;
@@ -151,6 +160,14 @@ void readBounded(const Dictionary& schemes, const Dictionary& solution, const La
 }
 
 } // namespace
+
+ViscousTreatment viscousTreatment(const FlowSettings& settings)
+{
+    return settings.integratingFactor  ? ViscousTreatment::integratingFactor
+           : settings.crankNicolson    ? ViscousTreatment::crankNicolson
+           : settings.automaticViscous ? ViscousTreatment::automatic
+                                       : ViscousTreatment::explicitTerm;
+}
 
 FlowSettings readFlowSettings(const Dictionary& writtenSchemes, const Dictionary& writtenSolution,
                               const Lattice& lattice, const Fluid& fluid)

@@ -22,6 +22,9 @@ enum class ViscousTreatment
 };
 const Selection<ViscousTreatment>& viscousTreatments();
 
+/// The treatment that settings have come to; automatic where steps choose it.
+ViscousTreatment viscousTreatment(const FlowSettings& settings);
+
 const Selection<WallTreatment>& wallTreatments();
 
 /// The text of system/schemes and of system/solution that stands for a paper, defects included.

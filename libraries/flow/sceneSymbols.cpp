@@ -1,5 +1,7 @@
 #include "flow/sceneSymbols.hpp"
 
+#include "operators/continuedBounds.hpp"
+
 #include <optional>
 
 namespace isph
@@ -31,6 +33,12 @@ AlignedVector<double> laplacianOf(const Lattice& lattice, const KernelSettings& 
 
 OperatorBounds boundsOf(const Lattice& lattice, const Fluid& fluid, const FlowSettings& settings)
 {
+    if (!lattice.periodic())
+    {
+        OperatorBounds bounds = continuedBounds(lattice, settings.continuations, settings.kernel, settings.laplacian);
+        if (fluid.nu == 0) { bounds.laplacian = bounds.leastLaplacian = bounds.derivativeOverLaplacian = 0; }
+        return bounds;
+    }
     AlignedVector<double> laplacian;
     if (fluid.nu > 0) { laplacian = laplacianOf(lattice, settings.kernel, settings.laplacian); }
     return operatorBounds(derivativeOf(lattice, settings.kernel), laplacian, {lattice, settings.dealiasing});

@@ -1,6 +1,7 @@
 #include "flow/stableNumbers.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace isph
 {
@@ -26,12 +27,23 @@ StableNumbers stableNumbers(const Lattice& lattice, const Fluid& fluid, const Fl
     {
         numbers.courant = settings.time->imaginaryLimit / derivative;
     }
-    if (fluid.nu > 0 && !settings.integratingFactor && bounds.laplacian > 0)
+    if (fluid.nu > 0 && !settings.integratingFactor && !settings.crankNicolson && bounds.laplacian > 0)
     {
         const double dx = smallestSpacing(lattice);
         numbers.viscous = settings.time->realLimit / (dx * dx * bounds.laplacian);
     }
     return numbers;
+}
+
+bool crankNicolsonPays(const TimeScheme& scheme, const StepRates& rates, std::optional<double> dt)
+{
+    constexpr double leastGain = 4;
+    const double explicitStep = largestStableStep(scheme, rates);
+    if (dt) { return *dt > explicitStep; }
+    StepRates implicit = rates;
+    implicit.viscous = 0;
+    const double implicitStep = largestStableStep(scheme, implicit);
+    return std::isfinite(implicitStep) && implicitStep >= leastGain * explicitStep;
 }
 
 StepLimits stepLimits(const Lattice& lattice, const Fluid& fluid, const TimeScheme& scheme, const StepRates& rates,

@@ -29,6 +29,12 @@ StableNumbers stableNumbers(const Lattice& lattice, const Fluid& fluid, const Fl
 /// The smallest spacing of the active axes [m].
 double smallestSpacing(const Lattice& lattice);
 
+/// Whether `viscous auto` takes the next step of a flow between walls by Crank-Nicolson: where the explicit term does
+/// not bear the step that is asked for, or, where the step is free, where convection alone allows a step at least four
+/// times as long (Crank-Nicolson is of second order, the explicit term of third). A flow at rest asks for no step:
+/// explicit. \param rates with the viscous term explicit \param dt the step, if it is fixed [s]
+bool crankNicolsonPays(const TimeScheme& scheme, const StepRates& rates, std::optional<double> dt = std::nullopt);
+
 /// What limits the next step of a flow with these rates.
 /// \param meetTime a time that a step has to end at, for functions [s]
 StepLimits stepLimits(const Lattice& lattice, const Fluid& fluid, const TimeScheme& scheme, const StepRates& rates,

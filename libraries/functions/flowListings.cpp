@@ -1,6 +1,7 @@
 #include "functions/flowListings.hpp"
 
 #include "boundary/conditionSelection.hpp"
+#include "continuation/continuationSelection.hpp"
 #include "flow/readFlowSettings.hpp"
 #include "functions/functionSelection.hpp"
 #include "kernels/kernelSelection.hpp"
@@ -14,6 +15,8 @@ std::vector<Listing> flowListings()
             {"listConvections", [] { return convectionForms().words(); }},
             {"listLaplacians", [] { return laplacians().words(); }},
             {"listTimeSchemes", [] { return timeSchemes().words(); }},
+            {"listContinuations", [] { return continuations().words(); }},
+            {"listWallTreatments", [] { return wallTreatments().words(); }},
             {"listViscousTreatments", [] { return viscousTreatments().words(); }},
             {"listDealiasings", [] { return dealiasings().words(); }},
             {"listFilters", [] { return filters().words(); }},

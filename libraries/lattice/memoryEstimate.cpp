@@ -17,6 +17,20 @@ SolverStorage periodicSolverStorage(int dimensions)
     return storage;
 }
 
+SolverStorage boundedSolverStorage(int dimensions)
+{
+    // Everything is at the points: the velocity, the one before, two rates; in the file the velocity twice, and p.
+    SolverStorage storage;
+    storage.dimensions = dimensions;
+    storage.spectralVectors = 0;
+    storage.realVectors = 5;
+    storage.products = 0;
+    storage.spectralScalars = 0;
+    storage.realScalars = 10; // pressure, its correction and source, their modes, a gradient; U and p in the file
+    storage.tables = 0;
+    return storage;
+}
+
 double solverMemory(double points, double modes, const SolverStorage& storage)
 {
     const int spectral = storage.spectralVectors * storage.dimensions + storage.products + storage.spectralScalars;
@@ -39,7 +53,9 @@ double solverMemory(const Lattice& lattice, const SolverStorage& storage)
 
 double solverMemory(const Lattice& lattice)
 {
-    return solverMemory(lattice, periodicSolverStorage(lattice.dimensions()));
+    const int dimensions = lattice.dimensions();
+    return solverMemory(lattice,
+                        lattice.periodic() ? periodicSolverStorage(dimensions) : boundedSolverStorage(dimensions));
 }
 
 double machineMemory()

@@ -28,6 +28,9 @@ struct SolverStorage
 /// The storage of the periodic solver in two or three dimensions.
 SolverStorage periodicSolverStorage(int dimensions);
 
+/// The storage of the solver of boxes with bounded axes.
+SolverStorage boundedSolverStorage(int dimensions);
+
 /// What a program needs before it has a single point [bytes].
 inline constexpr double programMemory = 20e6;
 
@@ -36,7 +39,7 @@ inline constexpr double programMemory = 20e6;
 /// \param modes complex coefficients of one component
 double solverMemory(double points, double modes, const SolverStorage& storage);
 
-/// Memory of a solver with this storage, or with that of the periodic solver, on a lattice [bytes].
+/// Memory of a solver with this storage, or with that of the solver for such a lattice [bytes].
 double solverMemory(const Lattice& lattice, const SolverStorage& storage);
 double solverMemory(const Lattice& lattice);
 
