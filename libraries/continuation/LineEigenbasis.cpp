@@ -1,0 +1,363 @@
+#include "continuation/LineEigenbasis.hpp"
+
+#include "continuation/ContinuedDerivative.hpp"
+#include "core/Error.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <Eigen/Dense>
+#include <fmt/format.h>
+#include <numeric>
+#include <optional>
+
+namespace isph
+{
+
+namespace
+{
+
+using Matrix = Eigen::MatrixXd;
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Index = Eigen::Index;
+
+constexpr std::size_t rowGroup = 4;  ///< rows that are multiplied together
+constexpr std::size_t lineGroup = 8; ///< lines that are multiplied together: a cache line
+constexpr std::size_t largestBatch = 4 * lineGroup;
+
+std::size_t roundedUp(std::size_t n, std::size_t unit) { return (n + unit - 1) / unit * unit; }
+
+/// Both derivatives along a line as matrices.
+struct Derivatives
+{
+    RowMajor first;
+    RowMajor second;
+};
+
+Derivatives matricesOf(const LineContinuation& continuation, const LineSymbol& symbol)
+{
+    const Index n = continuation.points();
+    const auto size = static_cast<std::size_t>(n * n);
+    ContinuedDerivative derivative(
+        ContinuedTransform({static_cast<std::size_t>(n), static_cast<std::size_t>(n), 1}, continuation), symbol);
+    const RowMajor unit = RowMajor::Identity(n, n);
+    Derivatives matrices{RowMajor(n, n), RowMajor(n, n)};
+    derivative({unit.data(), size}, {matrices.first.data(), size}, {matrices.second.data(), size});
+    return matrices;
+}
+
+[[noreturn]] void refuse(Index n, const std::string& what)
+{
+    throw Error(Fault::input, fmt::format("the second derivative on a line of {} unknown points {}", n, what),
+                "choose kernel exact or a gaussian of order 20, and continuation of degree 3 or 4");
+}
+
+/// Real eigenvectors of length 1, in columns, by increasing size of the eigenvalue.
+struct Spectrum
+{
+    std::vector<double> values;
+    Matrix vectors;
+};
+
+Spectrum spectrumOf(const Matrix& matrix, Index unknown)
+{
+    const Eigen::EigenSolver<Matrix> solver(matrix);
+    if (solver.info() != Eigen::Success) { refuse(unknown, "has eigenvalues that were not found"); }
+    const Eigen::VectorXcd found = solver.eigenvalues();
+    const double largest = found.cwiseAbs().maxCoeff();
+    if ((found.imag().array() != 0).any())
+    {
+        refuse(unknown, fmt::format("has complex eigenvalues (imaginary parts up to {:.2g} of the largest)",
+                                    found.imag().cwiseAbs().maxCoeff() / largest));
+    }
+    if (found.real().maxCoeff() > 1e-9 * largest)
+    {
+        refuse(unknown, fmt::format("has positive eigenvalues (up to {:.2g} of the largest)",
+                                    found.real().maxCoeff() / largest));
+    }
+    std::vector<Index> order(static_cast<std::size_t>(matrix.rows()));
+    std::iota(order.begin(), order.end(), Index{0});
+    std::ranges::sort(order, {}, [&found](Index i) { return -found[i].real(); });
+    Spectrum spectrum{{}, Matrix(matrix.rows(), matrix.rows())};
+    const Eigen::MatrixXcd vectors = solver.eigenvectors();
+    for (const Index i : order)
+    {
+        spectrum.vectors.col(static_cast<Index>(spectrum.values.size())) = vectors.col(i).real();
+        spectrum.values.push_back(std::min(found[i].real(), 0.0));
+    }
+    return spectrum;
+}
+
+/// Largest and smallest singular value of eigenvectors that are even or odd (or neither: weight 1), at full length 1.
+std::pair<double, double> singularValues(Matrix vectors, double weight, bool middle)
+{
+    const Index folded = vectors.rows() - (middle ? 1 : 0);
+    vectors.topRows(folded) *= weight;
+    vectors.colwise().normalize();
+    const Eigen::VectorXd values = Eigen::BDCSVD<Matrix>(vectors).singularValues();
+    return {values.maxCoeff(), values.minCoeff()};
+}
+
+/// Groups of rows one after the other, in each the columns one after the other.
+AlignedVector<double> packed(const Matrix& matrix)
+{
+    const auto n = static_cast<std::size_t>(matrix.rows());
+    AlignedVector<double> result(roundedUp(n, rowGroup) * n);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        for (std::size_t j = 0; j < n; ++j)
+        {
+            result[(i / rowGroup * n + j) * rowGroup + i % rowGroup] =
+                matrix(static_cast<Index>(i), static_cast<Index>(j));
+        }
+    }
+    return result;
+}
+
+/// A group of rows times a group of lines of n values each. Compiled twice, for the sake of fused multiply-add.
+[[gnu::target_clones("arch=haswell", "default")]] void multiplyRows(const double* rows, std::size_t n, const double* in,
+                                                                    double* out)
+{
+    double sums[rowGroup][lineGroup] = {};
+    for (std::size_t j = 0; j < n; ++j)
+    {
+        for (std::size_t r = 0; r < rowGroup; ++r)
+        {
+            for (std::size_t c = 0; c < lineGroup; ++c)
+            {
+                sums[r][c] += rows[j * rowGroup + r] * in[j * lineGroup + c];
+            }
+        }
+    }
+    std::copy_n(&sums[0][0], rowGroup * lineGroup, out);
+}
+
+} // namespace
+
+LineEigenbasis::LineEigenbasis(const LineLayout& layout, const LineContinuation& continuation, const LineSymbol& symbol,
+                               LineEnd low, LineEnd high)
+    : layout_(layout), first_(low == LineEnd::free ? 0 : 1)
+{
+    assert(layout.count == static_cast<std::size_t>(continuation.points()));
+    const std::size_t fixed = first_ + (high == LineEnd::free ? 0 : 1);
+    if (layout.count <= fixed)
+    {
+        throw Error(Fault::input, "a line has no point inside its walls", "give it at least three points");
+    }
+    count_ = layout.count - fixed;
+
+    const Derivatives derivatives = matricesOf(continuation, symbol);
+    const auto m = static_cast<Index>(count_);
+    const auto begin = static_cast<Index>(first_);
+
+    // Ends: C u_ends + R u = data, so that u_ends = C^-1 data - C^-1 R u.
+    if (low != LineEnd::free) { ends_.push_back({.point = 0, .side = 0}); }
+    if (high != LineEnd::free) { ends_.push_back({.point = layout.count - 1, .side = 1}); }
+    const auto e = static_cast<Index>(ends_.size());
+    Matrix ofEnds(e, e);
+    Matrix ofUnknown = Matrix::Zero(e, m);
+    Matrix fromEnds(m, e);
+    for (Index i = 0; i < e; ++i)
+    {
+        const auto point = static_cast<Index>(ends_[static_cast<std::size_t>(i)].point);
+        const bool slope = (point == 0 ? low : high) == LineEnd::slope;
+        for (Index j = 0; j < e; ++j)
+        {
+            const auto other = static_cast<Index>(ends_[static_cast<std::size_t>(j)].point);
+            ofEnds(i, j) = slope ? derivatives.first(point, other) : (i == j ? 1 : 0);
+        }
+        if (slope) { ofUnknown.row(i) = derivatives.first.row(point).segment(begin, m); }
+        fromEnds.col(i) = derivatives.second.col(point).segment(begin, m);
+    }
+    const Matrix unit = ofEnds.inverse();
+    const Matrix rows = unit * ofUnknown;
+    const Matrix response = fromEnds * unit;
+    for (Index i = 0; i < e; ++i)
+    {
+        FixedEnd& end = ends_[static_cast<std::size_t>(i)];
+        for (Index j = 0; j < e; ++j) { end.unit[ends_[static_cast<std::size_t>(j)].side] = unit(i, j); }
+        if (!rows.row(i).isZero(0)) { end.row.assign(rows.row(i).begin(), rows.row(i).end()); }
+        end.response.assign(response.col(i).begin(), response.col(i).end());
+    }
+    Matrix matrix = derivatives.second.block(begin, begin, m, m) - fromEnds * rows;
+
+    // Ends alike: reversing the line changes nothing but round-off.
+    const double scale = matrix.cwiseAbs().maxCoeff();
+    const bool alike = m > 1 && (matrix - matrix.reverse()).cwiseAbs().maxCoeff() < 1e-9 * scale;
+    constantMode_ = matrix.rowwise().sum().cwiseAbs().maxCoeff() < 1e-9 * scale;
+    const Index odd = alike ? m / 2 : 0;
+    const Index even = m - odd;
+    std::vector<Matrix> parts;
+    if (alike)
+    {
+        const Matrix own = 0.5 * (matrix + matrix.reverse());
+        const Matrix mirrored = own.rowwise().reverse();
+        parts.emplace_back(own.topLeftCorner(even, even));
+        parts[0].leftCols(odd) += mirrored.topLeftCorner(even, odd);
+        parts.emplace_back(own.topLeftCorner(odd, odd) - mirrored.topLeftCorner(odd, odd));
+    }
+    else { parts.push_back(std::move(matrix)); }
+
+    double largest = 0;
+    double smallest = 1;
+    for (const Matrix& part : parts)
+    {
+        Spectrum spectrum = spectrumOf(part, m);
+        if (constantMode_ && blocks_.empty())
+        {
+            spectrum.values[0] = 0;
+            spectrum.vectors.col(0).setOnes();
+        }
+        const auto [most, least] =
+            singularValues(spectrum.vectors, alike ? std::sqrt(2.0) : 1, alike && part.rows() > odd);
+        largest = std::max(largest, most);
+        smallest = std::min(smallest, least);
+        eigenvalues_.insert(eigenvalues_.end(), spectrum.values.begin(), spectrum.values.end());
+        blocks_.push_back(
+            {static_cast<std::size_t>(part.rows()), packed(spectrum.vectors.inverse()), packed(spectrum.vectors)});
+    }
+    condition_ = largest / smallest;
+    if (!(condition_ < 1e6)) { refuse(m, "has eigenvectors that are almost dependent"); }
+    panelSize_ = roundedUp(count_ + rowGroup, rowGroup) * lineGroup;
+    panel_.resize(panelSize_ * largestBatch / lineGroup);
+    product_.resize(panel_.size());
+}
+
+/// Where the value of an unknown point stands before even and odd parts are taken: beside its mirror image.
+std::size_t LineEigenbasis::rowOf(std::size_t i) const
+{
+    const std::size_t even = blocks_[0].size;
+    return i < even ? i : even + (count_ - 1 - i);
+}
+
+template<class Visit>
+void LineEigenbasis::forPoints(std::size_t line, std::size_t lines, Visit visit) const
+{
+    for (std::size_t l = 0; l < lines;)
+    {
+        const std::size_t together =
+            std::min({lines - l, layout_.inner - (line + l) % layout_.inner, lineGroup - l % lineGroup});
+        const std::size_t start = layout_.start(line + l) + first_ * layout_.inner;
+        const std::size_t place = l / lineGroup * panelSize_ + l % lineGroup;
+        for (std::size_t i = 0; i < count_; ++i)
+        {
+            for (std::size_t t = 0; t < together; ++t) { visit(start + i * layout_.inner + t, i, place + t); }
+        }
+        l += together;
+    }
+}
+
+/// (a, b) -> factor (a + b, a - b) for the points that are beside their images.
+void LineEigenbasis::foldPairs(double factor, AlignedVector<double>& panel) const
+{
+    if (blocks_.size() == 1) { return; }
+    const std::size_t pairs = blocks_[1].size * lineGroup;
+    for (std::size_t group = 0; group < panel.size(); group += panelSize_)
+    {
+        double* a = panel.data() + group;
+        double* b = a + blocks_[0].size * lineGroup;
+        for (std::size_t i = 0; i < pairs; ++i)
+        {
+            const double sum = a[i] + b[i];
+            b[i] = factor * (a[i] - b[i]);
+            a[i] = factor * sum;
+        }
+    }
+}
+
+void LineEigenbasis::multiply(AlignedVector<double> Block::*matrix, std::size_t lines)
+{
+    std::size_t before = 0;
+    for (const Block& block : blocks_)
+    {
+        const std::size_t n = block.size;
+        for (std::size_t i = 0; i < n; i += rowGroup)
+        {
+            // Rows beyond the block are zeros that the next block overwrites.
+            for (std::size_t l = 0; l < lines; l += lineGroup)
+            {
+                const std::size_t panel = l / lineGroup * panelSize_;
+                multiplyRows((block.*matrix).data() + i * n, n, panel_.data() + panel + before * lineGroup,
+                             product_.data() + panel + (before + i) * lineGroup);
+            }
+        }
+        before += n;
+    }
+}
+
+void LineEigenbasis::forward(std::span<double> values)
+{
+    for (std::size_t line = 0; line < layout_.lines(); line += largestBatch)
+    {
+        const std::size_t lines = std::min(largestBatch, layout_.lines() - line);
+        forPoints(line, lines,
+                  [&](std::size_t point, std::size_t i, std::size_t place)
+                  { panel_[place + rowOf(i) * lineGroup] = values[point]; });
+        foldPairs(0.5, panel_);
+        multiply(&Block::toModes, lines);
+        forPoints(line, lines,
+                  [&](std::size_t point, std::size_t i, std::size_t place)
+                  { values[point] = product_[place + i * lineGroup]; });
+    }
+}
+
+void LineEigenbasis::backward(std::span<double> values)
+{
+    for (std::size_t line = 0; line < layout_.lines(); line += largestBatch)
+    {
+        const std::size_t lines = std::min(largestBatch, layout_.lines() - line);
+        forPoints(line, lines,
+                  [&](std::size_t point, std::size_t i, std::size_t place)
+                  { panel_[place + i * lineGroup] = values[point]; });
+        multiply(&Block::toValues, lines);
+        foldPairs(1, product_);
+        forPoints(line, lines,
+                  [&](std::size_t point, std::size_t i, std::size_t place)
+                  { values[point] = product_[place + rowOf(i) * lineGroup]; });
+    }
+}
+
+void LineEigenbasis::addData(double factor, std::span<const double> low, std::span<const double> high,
+                             std::span<double> values) const
+{
+    for (const FixedEnd& end : ends_)
+    {
+        const std::span<const double> data = end.side == 0 ? low : high;
+        if (data.empty()) { continue; }
+        for (std::size_t o = 0; o < layout_.outer; ++o)
+        {
+            const double* datum = data.data() + o * layout_.inner;
+            for (std::size_t i = 0; i < count_; ++i)
+            {
+                double* row = values.data() + (o * layout_.count + first_ + i) * layout_.inner;
+                const double scale = factor * end.response[i];
+                for (std::size_t l = 0; l < layout_.inner; ++l) { row[l] += scale * datum[l]; }
+            }
+        }
+    }
+}
+
+void LineEigenbasis::fillEnds(std::span<const double> low, std::span<const double> high, std::span<double> values) const
+{
+    for (const FixedEnd& end : ends_)
+    {
+        for (std::size_t o = 0; o < layout_.outer; ++o)
+        {
+            const std::size_t line = o * layout_.inner;
+            double* value = values.data() + (o * layout_.count + end.point) * layout_.inner;
+            for (std::size_t l = 0; l < layout_.inner; ++l)
+            {
+                value[l] =
+                    (low.empty() ? 0 : end.unit[0] * low[line + l]) + (high.empty() ? 0 : end.unit[1] * high[line + l]);
+            }
+            if (end.row.empty()) { continue; }
+            for (std::size_t i = 0; i < count_; ++i)
+            {
+                const double* row = values.data() + (o * layout_.count + first_ + i) * layout_.inner;
+                for (std::size_t l = 0; l < layout_.inner; ++l) { value[l] -= end.row[i] * row[l]; }
+            }
+        }
+    }
+}
+
+} // namespace isph
