@@ -19,7 +19,7 @@ Functions readFunctions(const CommandLine& line, const Case& flowCase, const Sce
                                                            .startTime = startTime,
                                                            .pressureScale = scene.files.pressureScale,
                                                            .pressureUnit = scene.files.pressureUnit,
-                                                           .pressureFixed = false,
+                                                           .pressureFixed = scene.boundary.fixesPressure(),
                                                            .besideRun = line.has("postProcess")});
 }
 
