@@ -1,5 +1,6 @@
 #include "flow/Scene.hpp"
 
+#include "flow/BoundedFlow.hpp"
 #include "flow/PhysicalFlow.hpp"
 #include "flow/readFlowSettings.hpp"
 #include "flow/readFluid.hpp"
@@ -19,8 +20,13 @@ Scene::Scene(const Case& flowCase, const std::string& time)
 {
 }
 
-std::unique_ptr<IncompressibleFlow> makeFlow(const Scene& scene, Timings& timings, PlanEffort effort)
+std::unique_ptr<IncompressibleFlow> makeFlow(Scene& scene, Timings& timings, PlanEffort effort)
 {
+    if (!scene.lattice.periodic())
+    {
+        return std::make_unique<BoundedFlow>(scene.lattice, scene.fluid, scene.settings, scene.boundary, timings,
+                                             effort);
+    }
     if (scene.settings.directSum)
     {
         return std::make_unique<PhysicalFlow>(scene.lattice, scene.fluid, scene.settings, timings);

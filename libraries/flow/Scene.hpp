@@ -28,8 +28,8 @@ struct Scene
     FlowBoundary boundary; ///< with the data of the time that was read
 };
 
-/// The flow of a scene: in Fourier space, or at the points for neighbour summation. The scene must outlive it.
-std::unique_ptr<IncompressibleFlow> makeFlow(const Scene& scene, Timings& timings,
-                                             PlanEffort effort = PlanEffort::measured);
+/// The flow of a scene: in Fourier space, at the points for neighbour summation, or between walls, where it keeps the
+/// boundary at the time it has come to. The scene must outlive it.
+std::unique_ptr<IncompressibleFlow> makeFlow(Scene& scene, Timings& timings, PlanEffort effort = PlanEffort::measured);
 
 } // namespace isph

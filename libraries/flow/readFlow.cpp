@@ -90,9 +90,11 @@ FlowBoundary readFlowBoundary(const Case& flowCase, const std::string& time, con
     return readBoundary(files.U, files.p, lattice, context);
 }
 
-StartReport readFlow(const Case& flowCase, const std::string& time, bool restart, const Scene& scene,
+StartReport readFlow(const Case& flowCase, const std::string& time, bool restart, Scene& scene,
                      IncompressibleFlow& flow)
 {
+    FieldsOfTime fields(flowCase, time);
+    scene.boundary.update(fields.time());
     if (restart && flowCase.has(time + "/fields.h5"))
     {
         const FieldReader reader(flowCase.path(time + "/fields.h5"), time + "/fields.h5");
@@ -102,7 +104,6 @@ StartReport readFlow(const Case& flowCase, const std::string& time, bool restart
             return {};
         }
     }
-    FieldsOfTime fields(flowCase, time);
     // The pressure follows from the velocity; its values are read so that a slip in them does not wait for another
     // program.
     fields.read("p", scene.lattice);

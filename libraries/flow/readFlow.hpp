@@ -39,8 +39,9 @@ FlowBoundary readFlowBoundary(const Case& flowCase, const std::string& time, con
                               const FlowFiles& files);
 
 /// Brings the flow into the state of a time folder: the marching state where the solver wrote one for this kind of
-/// flow, else the velocity of the field U, projected if asked for. \param restart whether the solver wrote the folder
-StartReport readFlow(const Case& flowCase, const std::string& time, bool restart, const Scene& scene,
+/// flow, else the velocity of the field U, projected if asked for; the boundary comes to that time, too. \param restart
+/// whether the solver wrote the folder
+StartReport readFlow(const Case& flowCase, const std::string& time, bool restart, Scene& scene,
                      IncompressibleFlow& flow);
 
 } // namespace isph

@@ -41,7 +41,7 @@ static void run(const CommandLine& line, Log& log)
     removeLeftovers(flowCase.path("postProcessing"));
     TimeControl control = readTimeControl(flowCase);
     const StartFolder start = findStart(flowCase, control.settings());
-    const Scene scene(flowCase, start.folder.name);
+    Scene scene(flowCase, start.folder.name);
     Functions functions = readFunctions(line, flowCase, scene, start.folder.name);
     const TimeScheme& scheme = *scene.settings.time;
     RunReport report = openReport(flowCase, scene, threads);

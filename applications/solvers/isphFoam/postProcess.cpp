@@ -20,7 +20,7 @@ void postProcess(const CommandLine& line, Log& log)
         throw Error(Fault::input, "the options choose no time to run the functions on", "see listTimes");
     }
     Timings timings;
-    const Scene scene(flowCase, times.front().name);
+    Scene scene(flowCase, times.front().name);
     const auto flow = makeFlow(scene, timings, PlanEffort::estimated);
     Functions functions = readFunctions(line, flowCase, scene, times.front().name);
     if (functions.empty()) { log.line("controlDict has no functions: nothing to do"); }
