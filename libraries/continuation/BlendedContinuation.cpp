@@ -1,6 +1,7 @@
 #include "continuation/BlendedContinuation.hpp"
 
 #include "core/Error.hpp"
+#include "lattice/fastCounts.hpp"
 
 #include <cmath>
 #include <string>
@@ -8,27 +9,7 @@
 namespace isph
 {
 
-namespace
-{
-
-bool onlySmallFactors(int n)
-{
-    for (const int factor : {2, 3, 5, 7})
-    {
-        while (n % factor == 0) { n /= factor; }
-    }
-    return n == 1;
-}
-
-} // namespace
-
-int automaticNewPoints(int n)
-{
-    constexpr int least = 25; // fewer cost digits: docs/theory, derivative floor against d
-    int d = least;
-    while (!onlySmallFactors(n + d)) { ++d; }
-    return d;
-}
+int automaticNewPoints(int n) { return static_cast<int>(continuedCount(n)) - n; }
 
 double smoothStep(int m, double t)
 {

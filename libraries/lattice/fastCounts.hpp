@@ -12,4 +12,16 @@ bool isFastCount(long n);
 long fastCountBelow(long n);
 long fastCountAbove(long n);
 
+/// Whether n is a product of 2, 3, 5 and 7: fast also for the transforms between walls, of n intervals.
+bool isSmoothCount(long n);
+
+/// The nearest such numbers not above and not below n.
+/// \param n at least 1
+long smoothCountBelow(long n);
+long smoothCountAbove(long n);
+
+/// Length of a line of n points between walls with its new points, where schemes leave their number open: at least 25,
+/// more until the length is a product of 2, 3, 5 and 7 (docs/theory/continuation.md).
+long continuedCount(long n);
+
 } // namespace isph

@@ -26,5 +26,24 @@ TEST(FastCounts, NearestOnesFrameTheCount)
     EXPECT_EQ(fastCountBelow(17), 16);
 }
 
+TEST(SmoothCounts, AreProductsOfTheFirstFourPrimes)
+{
+    for (const long n : {1, 2, 60, 63, 64, 100, 1050}) { EXPECT_TRUE(isSmoothCount(n)) << n; }
+    for (const long n : {0, -2, 11, 13, 22, 61, 121}) { EXPECT_FALSE(isSmoothCount(n)) << n; }
+    EXPECT_EQ(smoothCountBelow(61), 60);
+    EXPECT_EQ(smoothCountAbove(61), 63);
+    EXPECT_EQ(smoothCountAbove(22), 24);
+    EXPECT_EQ(smoothCountBelow(22), 21);
+}
+
+TEST(ContinuedCounts, AreSmoothAndLeaveRoom)
+{
+    for (const auto& [points, newPoints] :
+         {std::pair{33L, 27L}, {49L, 26L}, {65L, 25L}, {97L, 28L}, {129L, 31L}, {201L, 39L}, {257L, 31L}, {601L, 29L}})
+    {
+        EXPECT_EQ(continuedCount(points), points + newPoints) << points;
+    }
+}
+
 } // namespace
 } // namespace isph

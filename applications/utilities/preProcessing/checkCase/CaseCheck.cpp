@@ -19,10 +19,36 @@ void warnOfLattice(const Lattice& lattice, Warnings& warnings)
     for (int d = 0; d < lattice.dimensions(); ++d)
     {
         const Axis& axis = lattice.activeAxis(d);
+        if (!axis.periodic())
+        {
+            const long intervals = axis.staggered ? axis.count : axis.count - 1;
+            if (isFastCount(intervals)) { continue; }
+            warnings.push_back(fmt::format("transforms of {} intervals along {} are slow: {} and {} are the nearest "
+                                           "fast ones",
+                                           intervals, axis.name, smoothCountBelow(intervals),
+                                           smoothCountAbove(intervals)));
+            continue;
+        }
         if (isFastCount(axis.count)) { continue; }
         warnings.push_back(
             fmt::format("transforms of length {} along {} are slow: {} and {} are the nearest fast counts", axis.count,
                         axis.name, fastCountBelow(axis.count), fastCountAbove(axis.count)));
+    }
+}
+
+void warnOfContinuation(const Lattice& lattice, const Continuations& continuations, Warnings& warnings)
+{
+    for (int d = 0; d < lattice.dimensions(); ++d)
+    {
+        const auto& continuation = continuations[static_cast<std::size_t>(lattice.direction(d))];
+        if (!continuation) { continue; }
+        const Axis& axis = lattice.activeAxis(d);
+        const int length = axis.count + continuation->newPoints();
+        if (isFastCount(length)) { continue; }
+        warnings.push_back(fmt::format("transforms of {} points along {}, {} of them new, are slow: an extension of {} "
+                                       "points makes them fast",
+                                       length, axis.name, continuation->newPoints(),
+                                       fastCountAbove(length) - axis.count));
     }
 }
 
@@ -36,10 +62,18 @@ void warnOfKernel(const KernelResolution& kernel, Warnings& warnings)
                     kernel.defect));
 }
 
-void warnOfOperators(const OperatorBounds& bounds, const Fluid& fluid, Warnings& warnings)
+void warnOfOperators(const OperatorBounds& bounds, const Fluid& fluid, bool bounded, Warnings& warnings)
 {
     // Round-off of a transformed kernel is far below this.
     if (bounds.leastLaplacian >= -1e-9 * bounds.laplacian) { return; }
+    if (bounded)
+    {
+        warnings.push_back(fmt::format("the Laplacian of the continued lines is anti-diffusive for some modes at the "
+                                       "walls: viscosity makes them grow, at up to {:.3g} 1/s: take continuation "
+                                       "smoothGram, or polynomials through more points",
+                                       -fluid.nu * bounds.leastLaplacian));
+        return;
+    }
     warnings.push_back(
         fmt::format("the sampled Laplacian is anti-diffusive for some waves: viscosity makes them grow, at "
                     "up to {:.3g} 1/s (damping reaches {:.3g} 1/s): take laplacian morris;",
@@ -81,6 +115,7 @@ CaseCheck checkCase(const std::filesystem::path& directory)
     const Fluid& fluid = *reading.fluid;
     check.scene = describeScene(lattice, fluid, settings);
     check.memory = flowMemory(lattice, fluid, settings);
+    warnOfContinuation(lattice, settings.continuations, warnings);
     try
     {
         const bool viscous = fluid.nu > 0;
@@ -89,7 +124,7 @@ CaseCheck checkCase(const std::filesystem::path& directory)
         warnOfKernel(*check.kernel, warnings);
         if (!reading.control || !reading.velocity) { return check; }
         check.steps = forecastSteps(lattice, fluid, settings, *reading.control, *reading.velocity);
-        warnOfOperators(check.steps->bounds, fluid, warnings);
+        warnOfOperators(check.steps->bounds, fluid, !lattice.periodic(), warnings);
         warnOfSteps(*check.steps, *reading.control, warnings);
     }
     catch (const Error& error)

@@ -163,7 +163,11 @@ void Reader::readSchemes()
     attempt([&] { written = file("system/schemes"); });
     if (written)
     {
-        attempt([&] { reading_.schemes = completedSchemes(*written); });
+        attempt(
+            [&] {
+                reading_.schemes =
+                    reading_.lattice ? completedSchemes(*written, *reading_.lattice) : completedSchemes(*written);
+            });
     }
     attempt([&] { reading_.solution = completedSolution(file("system/solution"), written.value_or(Dictionary())); });
 }
@@ -196,6 +200,24 @@ void Reader::readFields()
     const Lattice& lattice = *reading_.lattice;
     attempt([&] { reading_.U = readVelocityFile(theCase(), time, lattice); });
     attempt([&] { reading_.p = readPressureFile(theCase(), time, lattice, *reading_.fluid); });
+    if (reading_.U && reading_.p)
+    {
+        attempt(
+            [&]
+            {
+                const FlowFiles files = readFlowFiles(theCase(), time, lattice, *reading_.fluid);
+                reading_.boundary.emplace(readFlowBoundary(theCase(), time, lattice, *reading_.fluid, files));
+            });
+    }
+    if (reading_.U && reading_.p)
+    {
+        attempt(
+            [&]
+            {
+                const FlowFiles files = readFlowFiles(theCase(), time, lattice, *reading_.fluid);
+                readFlowBoundary(theCase(), time, lattice, *reading_.fluid, files);
+            });
+    }
 
     std::optional<FieldsOfTime> fields;
     attempt([&] { fields.emplace(theCase(), time); });
@@ -216,6 +238,7 @@ void Reader::readFields()
             {
                 RealField velocity = fields->read("U", lattice);
                 finite("U", velocity);
+                if (reading_.boundary) { reading_.boundary->impose(velocity); }
                 reading_.velocity = std::move(velocity);
             });
     }
@@ -244,7 +267,7 @@ void Reader::readFunctions()
                        .startTime = reading_.start ? reading_.start->folder.name : "0",
                        .pressureScale = inPascal ? reading_.fluid->rho.value_or(1) : 1,
                        .pressureUnit = inPascal ? "Pa" : "m2/s2",
-                       .pressureFixed = false});
+                       .pressureFixed = reading_.boundary && reading_.boundary->fixesPressure()});
         });
 }
 

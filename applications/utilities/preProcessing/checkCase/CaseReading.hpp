@@ -1,5 +1,6 @@
 #pragma once
 
+#include "boundary/FlowBoundary.hpp"
 #include "case/readTimeControl.hpp"
 #include "core/Error.hpp"
 #include "fields/Field.hpp"
@@ -35,7 +36,8 @@ struct CaseReading
     std::optional<FlowSettings> settings;
     std::optional<Dictionary> U; ///< of the start folder
     std::optional<Dictionary> p;
-    std::optional<RealField> velocity; ///< at the points, as written: not projected
+    std::optional<FlowBoundary> boundary; ///< with the data of the start
+    std::optional<RealField> velocity;    ///< at the points, as written but for the walls: not projected
 };
 
 CaseReading readWholeCase(const std::filesystem::path& directory);

@@ -1,6 +1,7 @@
 #include "SchemeChoices.hpp"
 
 #include "caseFields/unitOf.hpp"
+#include "continuation/continuationSelection.hpp"
 #include "flow/readFlowSettings.hpp"
 
 #include <algorithm>
@@ -88,35 +89,85 @@ void sortFilter(const Dictionary& filter, const FilterSettings& settings, Sorter
     sorter.sort(filter, "fraction", "", belongsTo(FilterSettings::Type::cutoff));
 }
 
-void sortSchemes(const Dictionary& schemes, const FlowSettings& settings, const Fluid& fluid, Sorter& sorter)
+bool isAuto(const Dictionary& dictionary, std::string_view key)
 {
+    return dictionary.find(key)->tokens().front().kind != Token::Kind::number;
+}
+
+/// "25" or, where bounded axes differ, "25 along x, 31 along y".
+std::string byAxis(const Lattice& lattice, const Continuations& continuations, int (*number)(const Continuation&))
+{
+    std::vector<int> numbers;
+    std::string text;
+    for (int d = 0; d < lattice.dimensions(); ++d)
+    {
+        const auto& continuation = continuations[static_cast<std::size_t>(lattice.direction(d))];
+        if (!continuation) { continue; }
+        numbers.push_back(number(*continuation));
+        text += fmt::format("{}{} along {}", text.empty() ? "" : ", ", numbers.back(), lattice.activeAxis(d).name);
+    }
+    const bool alike = std::ranges::all_of(numbers, [&](int value) { return value == numbers.front(); });
+    return alike ? std::to_string(numbers.front()) : text;
+}
+
+void sortContinuation(const Dictionary& continuation, const Lattice& lattice, const Continuations& made, Sorter& sorter)
+{
+    const std::string type = continuation.word("type").text;
+    const bool mirror = type == "mirror";
+    const bool gram = type == "gram";
+    const bool polynomial = type == "polynomial";
+    sorter.sort(continuation, "type", "");
+    sorter.sort(continuation, "degree",
+                isAuto(continuation, "degree") ? std::to_string(automaticDegree(type)) : std::string(),
+                mirror ? "mirror has no polynomial" : "");
+    sorter.sort(continuation, "smoothness",
+                isAuto(continuation, "smoothness") ? std::to_string(automaticSmoothness(type)) : std::string(),
+                gram ? "gram is not blended" : "");
+    sorter.sort(continuation, "extension", byAxis(lattice, made, [](const Continuation& of) { return of.newPoints(); }),
+                "", "points");
+    sorter.sort(continuation, "points", byAxis(lattice, made, [](const Continuation& of) { return of.points(); }),
+                polynomial ? "" : "only polynomial fits more points than its degree needs");
+    sorter.sort(continuation, "extended", "");
+}
+
+void sortSchemes(const Dictionary& schemes, const CaseReading& reading, Sorter& sorter)
+{
+    const FlowSettings& settings = *reading.settings;
     const bool convects = settings.convection != ConvectionForm::none;
-    const std::string inviscid = fluid.nu > 0 ? "" : "nu is 0: there is no viscous term";
-    const std::string periodic = "every axis is periodic";
+    const bool bounded = !reading.lattice->periodic();
+    const std::string inviscid = reading.fluid->nu > 0 ? "" : "nu is 0: there is no viscous term";
     sorter.sort(schemes, "preset", "");
     sortKernel(schemes.dictionary("kernel"), settings.kernel, sorter);
     sorter.sort(schemes, "operators", "");
     sorter.sort(schemes, "convection", "");
     sorter.sort(schemes, "laplacian", "", inviscid);
     sorter.sort(schemes, "time", "");
-    sorter.sort(schemes, "viscous", settings.integratingFactor ? "integratingFactor" : "explicit", inviscid);
+    sorter.sort(schemes, "viscous", std::string(viscousTreatments().nameOf(viscousTreatment(settings))), inviscid);
     sorter.sort(schemes, "meanFlow", settings.exactMeanFlow ? "exact" : "none", convects ? "" : "nothing is convected");
     sorter.sort(schemes, "dealiasing", std::string(dealiasings().nameOf(settings.dealiasing)));
     sortFilter(schemes.dictionary("filter"), settings.filter, sorter);
-    sorter.idle(schemes, "continuation", periodic);
-    sorter.idle(schemes, "walls", periodic);
+    if (bounded)
+    {
+        sortContinuation(schemes.dictionary("continuation"), *reading.lattice, settings.continuations, sorter);
+        sorter.sort(schemes, "walls", "");
+        return;
+    }
+    for (const char* key : {"continuation", "walls"}) { sorter.idle(schemes, key, "every axis is periodic"); }
 }
 
-void sortSolution(const Dictionary& solution, bool restart, Sorter& sorter)
+void sortSolution(const Dictionary& solution, const CaseReading& reading, Sorter& sorter)
 {
+    const bool restart = reading.start && reading.start->restart;
+    const bool bounded = !reading.lattice->periodic();
+    const bool direct = reading.settings->directPressure;
     const Dictionary& p = solution.dictionary("p");
     sorter.sort(p, "solver", "");
-    sorter.sort(p, "eigenvalues", "");
+    sorter.sort(p, "eigenvalues", "", direct ? "the solver direct has its own" : "");
     for (const char* key : {"preconditioner", "tolerance", "maxIter"})
     {
-        sorter.idle(p, key, "the solver fft does not iterate");
+        sorter.idle(p, key, fmt::format("the solver {} does not iterate", direct ? "direct" : "fft"));
     }
-    sorter.sort(solution.dictionary("coupling"), "type", "");
+    sorter.sort(solution.dictionary("coupling"), "type", "", bounded ? "between walls the word walls decides" : "");
     sorter.sort(solution, "initialProjection", "", restart ? "a run that goes on is not projected again" : "");
 }
 
@@ -204,14 +255,15 @@ SchemeChoices schemeChoices(const CaseReading& reading)
     if (reading.settings)
     {
         Sorter ofSchemes(choices.schemes, choices.idle);
-        sortSchemes(*reading.schemes, *reading.settings, *reading.fluid, ofSchemes);
+        sortSchemes(*reading.schemes, reading, ofSchemes);
         Sorter ofSolution(choices.solution, choices.idle);
-        sortSolution(*reading.solution, reading.start && reading.start->restart, ofSolution);
+        sortSolution(*reading.solution, reading, ofSolution);
     }
     Sorter others(unlisted, choices.idle);
     if (reading.control && reading.settings)
     {
-        const bool explicitViscosity = reading.fluid->nu > 0 && !reading.settings->integratingFactor;
+        const bool explicitViscosity =
+            reading.fluid->nu > 0 && !reading.settings->integratingFactor && !reading.settings->crankNicolson;
         sortControlDict(*reading.controlDict, reading.control->settings(), explicitViscosity, others);
     }
     if (reading.transportProperties) { sortTransport(reading, others); }

@@ -18,7 +18,10 @@ StepRates ratesAtStart(const Lattice& lattice, const Fluid& fluid, const FlowSet
                        const OperatorBounds& bounds, const RealField& velocity)
 {
     StepRates rates;
-    if (fluid.nu > 0 && !settings.integratingFactor) { rates.viscous = fluid.nu * bounds.laplacian; }
+    if (fluid.nu > 0 && !settings.integratingFactor && !settings.crankNicolson)
+    {
+        rates.viscous = fluid.nu * bounds.laplacian;
+    }
     if (settings.convection == ConvectionForm::none) { return rates; }
     if (!settings.exactMeanFlow)
     {
@@ -44,6 +47,13 @@ StepForecast forecastSteps(const Lattice& lattice, const Fluid& fluid, const Flo
     forecast.bounds = boundsOf(lattice, fluid, settings);
     forecast.numbers = stableNumbers(lattice, fluid, settings, forecast.bounds);
     forecast.rates = ratesAtStart(lattice, fluid, settings, forecast.bounds, velocity);
+    if (settings.automaticViscous && fluid.nu > 0)
+    {
+        const bool fixed = control.settings().deltaT && !control.settings().adjustTimeStep;
+        forecast.crankNicolson =
+            crankNicolsonPays(*settings.time, forecast.rates, fixed ? control.settings().deltaT : std::nullopt);
+        if (forecast.crankNicolson) { forecast.rates.viscous = 0; }
+    }
     const StepLimits limits = stepLimits(lattice, fluid, *settings.time, forecast.rates);
     forecast.largestStable = limits.largestStable;
     if (std::isfinite(forecast.largestStable))

@@ -22,6 +22,7 @@ struct StepForecast
     double step = 0;                  ///< the first step [s]; 0 if the run is at its end
     StabilityMargin margin;           ///< of the first step
     double viscousNumber = 0;         ///< nu dt/dx^2 of the first step, where the viscous term is explicit
+    bool crankNicolson = false;       ///< `viscous auto` begins with it
     double steps = 0;                 ///< to endTime if all are like the first
 
     std::string_view ruling = "none"; ///< "convective", "viscous", or "none" where nothing limits the step

@@ -38,7 +38,7 @@ Json ofLattice(const std::optional<Lattice>& lattice)
         if (!axis.active()) { continue; }
         spacings.add(axis.spacing());
         axes.add(toString(axis));
-        fast = fast && isFastCount(axis.count);
+        fast = fast && isFastCount(axis.periodic() || axis.staggered ? axis.count : axis.count - 1);
     }
     return Json::object({{"points", points}, {"spacing", spacings}, {"axes", axes}, {"fastTransforms", fast}});
 }
@@ -76,6 +76,7 @@ Json ofSteps(const std::optional<StepForecast>& steps, const CaseReading& readin
          {"deltaT", steps->step},
          {"automatic", !reading.control->settings().deltaT},
          {"ruling", steps->ruling},
+         {"crankNicolson", reading.settings->crankNicolson || steps->crankNicolson},
          {"steps", steps->steps},
          {"courantAtStart", steps->step * steps->rates.courant},
          {"viscousNumberAtStart", steps->viscousNumber},

@@ -80,9 +80,10 @@ void Reporter::printLattice() const
             row(name, "left out");
             continue;
         }
-        row(name, fmt::format("{} points from {:.6g} to {:.6g} m, spacing {:.6g} m, {}, transforms {}", axis.count,
+        const int length = axis.periodic() || axis.staggered ? axis.count : axis.count - 1;
+        row(name, fmt::format("{} points from {:.6g} to {:.6g} m, spacing {:.6g} m, {}{}, transforms {}", axis.count,
                               axis.origin, axis.origin + axis.extent, axis.spacing(), toString(axis),
-                              isFastCount(axis.count) ? "fast" : "slow"));
+                              axis.staggered ? ", half a spacing inside" : "", isFastCount(length) ? "fast" : "slow"));
     }
     log_.line();
 }
@@ -167,8 +168,9 @@ void Reporter::printCost() const
     if (check_.scene)
     {
         const auto substeps = static_cast<int>(reading_.settings->time->substeps.size());
-        row("transforms", fmt::format("{} a substep, {} a step", check_.scene->transformsPerSubstep,
-                                      substeps * check_.scene->transformsPerSubstep));
+        row("transforms", fmt::format("{} a substep, {} a step{}", check_.scene->transformsPerSubstep,
+                                      substeps * check_.scene->transformsPerSubstep,
+                                      check_.scene->transformsOfLines ? ", each of the lines along one axis" : ""));
     }
     row("memory", fmt::format("about {} of {}", memoryText(*check_.memory), memoryText(machineMemory())));
     log_.line();
@@ -192,12 +194,17 @@ void Reporter::printLimits() const
     }
     if (steps.numbers.viscous)
     {
-        row("largest viscous number", fmt::format("{:.4g} (nu dt/dx^2)", *steps.numbers.viscous));
+        row("largest viscous number",
+            fmt::format("{:.4g} (nu dt/dx^2){}", *steps.numbers.viscous,
+                        !settings.automaticViscous ? ""
+                        : steps.crankNicolson      ? " where the term is explicit; CrankNicolson pays and begins"
+                                                   : "; beyond it CrankNicolson, which does not pay at the start"));
     }
     else
     {
-        row("largest viscous number",
-            reading_.fluid->nu > 0 ? "no limit: the integrating factor is exact" : "no limit: nu is 0");
+        row("largest viscous number", reading_.fluid->nu == 0  ? "no limit: nu is 0"
+                                      : settings.crankNicolson ? "no limit: CrankNicolson is implicit"
+                                                               : "no limit: the integrating factor is exact");
     }
     row("largest stable step", std::isfinite(steps.largestStable)
                                    ? fmt::format("{:.4g} s for the velocity at the start; the {} term rules",

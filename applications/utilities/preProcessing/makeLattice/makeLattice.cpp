@@ -15,9 +15,20 @@
 
 using namespace isph;
 
+/// Between walls two transforms are made: of the intervals for the pressure, and of the points with the new ones that
+/// make them periodic for derivatives.
 static std::string transformText(const Axis& axis)
 {
-    if (!axis.periodic()) { return "continued to a fast length"; }
+    if (!axis.periodic())
+    {
+        const long intervals = axis.staggered ? axis.count : axis.count - 1;
+        const long length = continuedCount(axis.count);
+        const std::string derivatives =
+            fmt::format("derivatives {} points and {} new ones make {}, fast", axis.count, length - axis.count, length);
+        if (isSmoothCount(intervals)) { return fmt::format("pressure {} intervals, fast; {}", intervals, derivatives); }
+        return fmt::format("pressure {} intervals, slow: {} and {} are the nearest fast ones; {}", intervals,
+                           smoothCountBelow(intervals), smoothCountAbove(intervals), derivatives);
+    }
     if (isFastCount(axis.count)) { return fmt::format("length {}, fast", axis.count); }
     return fmt::format("length {}, slow: {} and {} are the nearest fast counts", axis.count, fastCountBelow(axis.count),
                        fastCountAbove(axis.count));
