@@ -2,54 +2,49 @@
 
 #include "fields/Field.hpp"
 #include "lattice/Lattice.hpp"
-#include "spectral/FourierTransform.hpp"
-#include "spectral/Wavenumbers.hpp"
+#include "operators/ContinuedOperators.hpp"
 
-#include <array>
-#include <complex>
+#include <span>
 
 namespace isph
 {
 
-/// Fields that follow from a velocity on a periodic lattice, with the exact derivatives of its Fourier series.
+/// Fields that follow from a velocity [m/s] by exact derivatives: those of its Fourier series along periodic axes, of
+/// its Fourier continuation (smoothGram, degree 4) along bounded ones, at all points, those on walls included.
 ///
 /// On a lattice with two axes a, b (in the order x y z) the vorticity is its one component normal to them.
 class VelocityDerivatives
 {
 public:
-    /// Transforms U [m/s].
-    /// \throws Error(input) if the lattice is not periodic along every axis.
-    VelocityDerivatives(const RealField& U, const Lattice& lattice);
+    explicit VelocityDerivatives(const Lattice& lattice);
 
-    /// curl U [1/s]: one component in two dimensions, three in three.
-    RealField vorticity();
+    /// Derivative of one component of a field along the d-th active axis, overwritten.
+    void derivative(int d, std::span<const double> values, std::span<double> result)
+    {
+        operators_.derivative(d)(values, result, {});
+    }
+
+    /// Components of the vorticity: one in two dimensions, three in three.
+    int vorticityComponents() const { return lattice_.dimensions() == 2 ? 1 : 3; }
+
+    /// curl U [1/s], overwritten.
+    void vorticity(const RealField& U, RealField& vorticity);
+    RealField vorticity(const RealField& U);
 
     /// div U [1/s].
-    RealField divergence();
+    RealField divergence(const RealField& U);
 
     /// Second invariant of the velocity gradient, (div(U)^2 - tr(grad U grad U))/2 [1/s2]: above 0 where rotation
     /// prevails over strain (Hunt, Wray and Moin 1988).
-    RealField Q();
-
-    /// psi with U_a = dpsi/db, U_b = -dpsi/da [m2/s], 0 on average but for the part of a mean flow, which is 0 at the
-    /// first point. Only in two dimensions.
-    RealField streamFunction();
-
-    /// What one period along x, y and z adds to the stream function: not 0 where there is a mean flow.
-    std::array<double, 3> streamFunctionGain() const;
+    RealField Q(const RealField& U);
 
 private:
-    using Mode = std::complex<double>;
-
-    /// The field whose modes are coefficient(index of the mode, wavenumbers along the active axes).
-    template<class Coefficient>
-    RealField field(Coefficient coefficient);
-
-    const Lattice lattice_;
-    const Wavenumbers wavenumbers_;
-    FourierTransform transform_; ///< of one component
-    SpectralField modes_;        ///< of U, normalised
-    SpectralField scratch_;
+    Lattice lattice_;
+    ContinuedOperators operators_;
+    RealField scratch_;
 };
+
+/// +1 where the normal of the active axes a, b of a plane completes a, b, n to a right-handed set, -1 for x and z.
+double normalSign(const Lattice& lattice);
 
 } // namespace isph

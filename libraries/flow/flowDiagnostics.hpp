@@ -1,7 +1,11 @@
 #pragma once
 
+#include "caseFields/VelocityDerivatives.hpp"
 #include "flow/IncompressibleFlow.hpp"
-#include "operators/SpectralOperators.hpp"
+#include "lattice/LatticeFace.hpp"
+#include "lattice/Quadrature.hpp"
+
+#include <vector>
 
 namespace isph
 {
@@ -13,28 +17,41 @@ struct FlowStatistics
     double enstrophy;     ///< integral of |curl U|^2/2
     double palinstrophy;  ///< integral of |grad omega|^2/2
     double forcePower;    ///< integral of U . f; 0 without a body force
+    double boundaryPower; ///< what the boundary gives to the fluid, see FlowDiagnostics; 0 in periodic boxes
     double maxSpeed;      ///< [m/s]
     double maxVorticity;  ///< [1/s]
     double divL2;         ///< root mean square of the divergence [1/s]
     double divLinf;       ///< its largest magnitude
 };
 
-/// Computes statistics on a periodic lattice, with exact derivatives for vorticity and its gradient, and the scheme's
-/// own for the divergence.
+/// Computes statistics of a flow: integrals by Quadrature, exact derivatives for vorticity and its gradient
+/// (VelocityDerivatives), and the scheme's own for the divergence.
+///
+/// The energy of an incompressible flow changes by
+///     dE/dt = int U . f + B - 2 nu Z,   Z = int |omega|^2/2,
+///     B = oint nu n . (U x omega) - (p + |U|^2/2) U . n,   n outwards,
+/// where B is the boundary power. Along flat walls that move in their plane it is the power of the shear stress,
+/// oint U . nu (grad U + grad U^T) n: what both differ by, the slope of U . n along the wall, vanishes there. At walls
+/// at rest and along slip walls B is 0, and the enstrophy follows from the loss of energy alone.
 class FlowDiagnostics
 {
 public:
-    explicit FlowDiagnostics(const Lattice& lattice);
+    /// \param nu kinematic viscosity [m2/s]
+    FlowDiagnostics(const Lattice& lattice, double nu);
 
     /// \param force body force at the points, or null
-    FlowStatistics evaluate(IncompressibleFlow& flow, const RealField* force);
-
-    /// Curl of a velocity: one component in two dimensions, three in three.
-    const RealField& vorticity(const RealField& velocity);
+    /// \param t time [s], for the pressure at boundaries that are flowed through
+    FlowStatistics evaluate(IncompressibleFlow& flow, const RealField* force, double t);
 
 private:
+    double integralOfSquares(const RealField& field) const;
+    double boundaryPower(IncompressibleFlow& flow, const RealField& U, double t) const;
+
     Lattice lattice_;
-    SpectralOperators operators_;
+    double nu_;
+    Quadrature quadrature_;
+    VelocityDerivatives derivatives_;
+    std::vector<LatticeFace> faces_; ///< at bounded ends
     RealField vorticity_;
     RealField gradient_;
 };

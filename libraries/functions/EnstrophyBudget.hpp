@@ -5,8 +5,8 @@
 namespace isph
 {
 
-/// The enstrophy that the loss of kinetic energy tells of: -(dE/dt - power)/(2 nu), which a periodic box keeps equal to
-/// the enstrophy itself. What a scheme dissipates besides nu shows as the difference of the two.
+/// The enstrophy that the loss of kinetic energy tells of: -(dE/dt - power)/(2 nu), equal to the enstrophy itself in an
+/// exact flow. What a scheme dissipates besides nu, or does not resolve, shows as the difference of the two.
 ///
 /// dE/dt is the slope of the polynomial through the energies of the last five rows, whatever their distances: fourth
 /// order in them. The first row has none before it; its slope is the one that closes the budget, and stands in for the
@@ -18,7 +18,7 @@ public:
     explicit EnstrophyBudget(double nu) : nu_(nu) {}
 
     /// The budget at the next row, the last one's where no time has passed.
-    /// \param power of the forces on the fluid
+    /// \param power of the forces on the fluid and of the boundary (FlowDiagnostics)
     double next(double time, double energy, double power, double enstrophy);
 
 private:

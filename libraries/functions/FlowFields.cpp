@@ -1,10 +1,7 @@
 #include "functions/FlowFields.hpp"
 
-#include "caseFields/VelocityDerivatives.hpp"
-
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <string>
 
 namespace isph
@@ -65,14 +62,13 @@ const RealField& FlowFields::pressureAt(const FlowAtTime& now)
 
 std::vector<NamedField> FlowFields::at(const FlowAtTime& now, std::span<const FlowQuantity> quantities)
 {
-    std::optional<VelocityDerivatives> derivatives;
     const auto derived = [&](FlowQuantity quantity) -> const RealField&
     {
-        if (!derivatives) { derivatives.emplace(now.flow.velocity(), lattice_); }
+        if (!derivatives_) { derivatives_.emplace(lattice_); }
         RealField& field = derived_[quantity];
-        field = quantity == FlowQuantity::vorticity    ? derivatives->vorticity()
-                : quantity == FlowQuantity::divergence ? derivatives->divergence()
-                                                       : derivatives->Q();
+        field = quantity == FlowQuantity::vorticity    ? derivatives_->vorticity(now.flow.velocity())
+                : quantity == FlowQuantity::divergence ? derivatives_->divergence(now.flow.velocity())
+                                                       : derivatives_->Q(now.flow.velocity());
         return field;
     };
     std::vector<NamedField> fields;

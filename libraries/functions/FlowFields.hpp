@@ -1,5 +1,6 @@
 #pragma once
 
+#include "caseFields/VelocityDerivatives.hpp"
 #include "core/Selection.hpp"
 #include "fields/Field.hpp"
 #include "functions/FunctionObject.hpp"
@@ -7,6 +8,7 @@
 #include "sampling/SampleSet.hpp"
 
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,7 +28,7 @@ enum class FlowQuantity
 const Selection<FlowQuantity>& flowQuantities();
 
 /// The fields of a flow as functions write them: by name, with units, the pressure in the form that is written. What
-/// follows from U is found by the exact derivatives of its Fourier series, as sampleLines and toVTK do.
+/// follows from U is found by exact derivatives, as sampleLines and toVTK do.
 class FlowFields
 {
 public:
@@ -36,7 +38,6 @@ public:
     std::string unit(FlowQuantity quantity) const;
 
     /// The fields at this time, in the order asked for; valid until the next call or step.
-    /// \throws Error(input) if a quantity with derivatives is asked for and the lattice is not periodic.
     std::vector<NamedField> at(const FlowAtTime& now, std::span<const FlowQuantity> quantities);
 
 private:
@@ -44,7 +45,8 @@ private:
 
     Lattice lattice_;
     PressureForm pressure_;
-    RealField scaledPressure_; ///< where the form differs from the flow's own
+    RealField scaledPressure_;                       ///< where the form differs from the flow's own
+    std::optional<VelocityDerivatives> derivatives_; ///< from the first quantity on that needs them
     std::map<FlowQuantity, RealField> derived_;
 };
 

@@ -39,15 +39,19 @@ void FlowStatisticsFunction::execute(const FlowAtTime& now)
 {
     if (!diagnostics_)
     {
-        diagnostics_.emplace(lattice_);
+        diagnostics_.emplace(lattice_, fluid_.nu);
         if (fluid_.bodyForce) { force_ = RealField(lattice_.dimensions(), lattice_.points()); }
     }
     if (fluid_.bodyForce) { fluid_.bodyForce->evaluate(now.time, force_); }
-    const FlowStatistics flow = diagnostics_->evaluate(now.flow, fluid_.bodyForce ? &force_ : nullptr);
+    const FlowStatistics flow = diagnostics_->evaluate(now.flow, fluid_.bodyForce ? &force_ : nullptr, now.time);
     const StepRates rates = now.flow.rates();
 
     std::vector<double> row{now.time, static_cast<double>(now.step), flow.kineticEnergy, flow.enstrophy};
-    if (budget_) { row.push_back(budget_->next(now.time, flow.kineticEnergy, flow.forcePower, flow.enstrophy)); }
+    if (budget_)
+    {
+        const double power = flow.forcePower + flow.boundaryPower;
+        row.push_back(budget_->next(now.time, flow.kineticEnergy, power, flow.enstrophy));
+    }
     row.insert(row.end(), {flow.palinstrophy, flow.maxSpeed, rates.meanCourant * now.dt, rates.courant * now.dt,
                            flow.divL2, flow.divLinf});
     csv_.row(row);

@@ -1,6 +1,8 @@
 #include "Flows.hpp"
 #include "functions/FlowStatisticsFunction.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace isph
@@ -102,6 +104,118 @@ TEST(FlowStatistics, CarryTheUnitsOfSpace)
     EXPECT_NEAR(columns.at("kineticEnergy [m5/s2]")[0], 0.5, 1e-14);
     EXPECT_NEAR(columns.at("enstrophy [m3/s2]")[0], 2 * pi * pi, 1e-12);
     EXPECT_NEAR(columns.at("palinstrophy [m/s2]")[0], 8 * std::pow(pi, 4), 1e-9);
+}
+
+Axis walls(char name, double from, double to, int intervals)
+{
+    return {name, from, to - from, intervals + 1, Axis::Ends::bounded};
+}
+
+// Two monopoles that collide with the wall y = -1 (Clercx & Bruneau 2006), at the start: E = 2, Z = 800.
+TEST(FlowStatistics, OfADipoleBetweenWalls)
+{
+    const Lattice lattice({walls('x', -1, 1, 256), walls('y', -1, 1, 256), Axis{'z'}}, {});
+    GivenFlow flow(lattice);
+    constexpr double strength = 0.5 * 299.528385375226;
+    const auto gauss = [](double x, double y) { return std::exp(-(x * x + y * y) / 0.01); };
+    fill(flow.U, 0, lattice,
+         [&](double x, double y, double) { return strength * y * (gauss(x + 0.1, y) - gauss(x - 0.1, y)); });
+    fill(flow.U, 1, lattice,
+         [&](double x, double y, double)
+         { return strength * ((x - 0.1) * gauss(x - 0.1, y) - (x + 0.1) * gauss(x + 0.1, y)); });
+    const Timings timings;
+    const FlowStatistics statistics = FlowDiagnostics(lattice, 1.0 / 625).evaluate(flow, nullptr, 0);
+    EXPECT_NEAR(statistics.kineticEnergy, 2, 1e-5 * 2);
+    EXPECT_NEAR(statistics.enstrophy, 800, 1e-5 * 800);
+    EXPECT_NEAR(statistics.boundaryPower, 0, 1e-30);
+}
+
+// A layer with vorticity u'(y) at the wall: no digit of its enstrophy is lost to the quadrature.
+TEST(FlowStatistics, HoldALayerOfVorticityAtAWall)
+{
+    const auto error = [](int intervals)
+    {
+        const Lattice lattice({Axis{'x', 0, 1, 8}, walls('y', 0, 1, intervals), Axis{'z'}}, {});
+        GivenFlow flow(lattice);
+        constexpr double d = 1.0 / 32;
+        fill(flow.U, 0, lattice, [](double, double y, double) { return 1 - std::exp(-y / d); });
+        const double exact = (1 - std::exp(-2 / d)) / (4 * d);
+        return std::abs(FlowDiagnostics(lattice, 1).evaluate(flow, nullptr, 0).enstrophy / exact - 1);
+    };
+    EXPECT_LT(error(128), 5e-3);
+    EXPECT_LT(error(256), 2e-4);
+    EXPECT_GT(std::log2(error(256) / error(512)), 4);
+}
+
+/// The largest difference between enstrophy and its budget in a flow that is known at all times, from the third row.
+template<class Velocity, class Pressure>
+double budgetGap(const Lattice& lattice, double nu, Velocity velocity, Pressure pressure)
+{
+    GivenFlow flow(lattice);
+    const Fluid fluid{.nu = nu};
+    const TemporaryFolder folder;
+    const Timings timings;
+    FlowStatisticsFunction statistics(folder.path / "flow.csv", lattice, fluid);
+    for (int row = 0; row < 7; ++row)
+    {
+        const double t = 0.3 + 0.005 * row;
+        velocity(flow.U, t);
+        pressure(flow.p, t);
+        statistics.execute(at(flow, timings, t));
+    }
+    auto table = readCsv(folder.path / "flow.csv");
+    double gap = 0;
+    for (std::size_t row = 3; row < 7; ++row)
+    {
+        const double enstrophy = table["enstrophy [m2/s2]"][row];
+        gap = std::max(gap, std::abs(table["enstrophyBudget [m2/s2]"][row] / enstrophy - 1));
+    }
+    return gap;
+}
+
+// Stokes' layer: the wall y = 0 swings in its plane, u = exp(-k y) cos(w t - k y), w = 2 nu k^2, the one at y = 1
+// follows.
+TEST(FlowStatistics, TakeThePowerOfMovingWallsOutOfTheBudget)
+{
+    constexpr double nu = 0.1;
+    constexpr double k = 5;
+    const Lattice lattice({Axis{'x', 0, 1, 8}, walls('y', 0, 1, 80), Axis{'z'}}, {});
+    EXPECT_LT(budgetGap(
+                  lattice, nu,
+                  [&](RealField& U, double t)
+                  {
+                      fill(U, 0, lattice,
+                           [t](double, double y, double)
+                           { return std::exp(-k * y) * std::cos(2 * nu * k * k * t - k * y); });
+                  },
+                  [](RealField&, double) {}),
+              1e-4);
+}
+
+// A piece of the decaying vortices of Taylor and Green: the boundary is flowed through, and the pressure does work.
+TEST(FlowStatistics, TakeThePowerOfOpenBoundariesOutOfTheBudget)
+{
+    constexpr double nu = 0.05;
+    const Lattice lattice({walls('x', 0.1, 0.6, 60), Axis{'y'}, walls('z', -0.3, 0.4, 80)}, {});
+    const auto decay = [](double t) { return std::exp(-8 * pi * pi * nu * t); };
+    EXPECT_LT(budgetGap(
+                  lattice, nu,
+                  [&](RealField& U, double t)
+                  {
+                      fill(U, 0, lattice,
+                           [&](double x, double, double z)
+                           { return -decay(t) * std::cos(2 * pi * x) * std::sin(2 * pi * z); });
+                      fill(U, 1, lattice,
+                           [&](double x, double, double z)
+                           { return decay(t) * std::sin(2 * pi * x) * std::cos(2 * pi * z); });
+                  },
+                  [&](RealField& p, double t)
+                  {
+                      fill(p, 0, lattice,
+                           [&](double x, double, double z)
+                           { return -0.25 * decay(t) * decay(t) * (std::cos(4 * pi * x) + std::cos(4 * pi * z)); });
+                  }),
+              1e-4);
 }
 
 } // namespace

@@ -53,10 +53,11 @@ static std::vector<std::string> knownFields(FieldsOfTime& ofTime)
 
 static void addDerived(const std::string& name, FieldsOfTime& ofTime, const Lattice& lattice, Fields& fields)
 {
-    VelocityDerivatives derivatives(ofTime.read("U", lattice), lattice);
-    if (name == "vorticity") { fields.add(name, "1/s", derivatives.vorticity()); }
-    else if (name == "divergence") { fields.add(name, "1/s", derivatives.divergence()); }
-    else { fields.add(name, "1/s2", derivatives.Q()); }
+    VelocityDerivatives derivatives(lattice);
+    const RealField U = ofTime.read("U", lattice);
+    if (name == "vorticity") { fields.add(name, "1/s", derivatives.vorticity(U)); }
+    else if (name == "divergence") { fields.add(name, "1/s", derivatives.divergence(U)); }
+    else { fields.add(name, "1/s2", derivatives.Q(U)); }
 }
 
 static Fields readFields(FieldsOfTime& ofTime, const std::vector<Word>& words, const Lattice& lattice)

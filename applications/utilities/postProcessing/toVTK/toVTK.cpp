@@ -10,6 +10,7 @@
 #include "case/TimeDirectories.hpp"
 #include "caseFields/FieldsOfTime.hpp"
 #include "caseFields/selectFields.hpp"
+#include "caseFields/StreamFunction.hpp"
 #include "caseFields/VelocityDerivatives.hpp"
 #include "core/FileDescriptor.hpp"
 #include "core/runApplication.hpp"
@@ -22,6 +23,7 @@
 #include <deque>
 #include <fmt/format.h>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace isph;
@@ -41,13 +43,14 @@ struct Image
 
 static void addDerived(const RealField& U, const Lattice& lattice, Image& image)
 {
-    VelocityDerivatives derivatives(U, lattice);
-    image.add("vorticity", derivatives.vorticity());
-    image.add("divergence", derivatives.divergence());
-    image.add("Q", derivatives.Q());
+    VelocityDerivatives derivatives(lattice);
+    image.add("vorticity", derivatives.vorticity(U));
+    image.add("divergence", derivatives.divergence(U));
+    image.add("Q", derivatives.Q(U));
     if (lattice.dimensions() == 2)
     {
-        image.add("streamFunction", derivatives.streamFunction(), derivatives.streamFunctionGain());
+        StreamFunction psi = streamFunction(U, lattice);
+        image.add("streamFunction", std::move(psi.values), psi.periodGain);
     }
 }
 
