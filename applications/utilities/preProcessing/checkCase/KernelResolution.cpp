@@ -1,6 +1,7 @@
 #include "KernelResolution.hpp"
 
 #include "operators/KernelSamples.hpp"
+#include "operators/lineSymbolOf.hpp"
 
 #include <cmath>
 #include <functional>
@@ -91,6 +92,23 @@ Responses sampledResponses(const KernelSamples& samples, double dx, const std::o
     return responses;
 }
 
+/// Of a kernel on lines, the modes of a very long one standing for all waves. The symbol must outlive the responses.
+Responses lineResponses(const LineSymbol& symbol, double dx, bool viscous)
+{
+    const auto at = [&symbol](double theta)
+    {
+        const auto last = static_cast<double>(symbol.first.size() - 1);
+        return static_cast<std::size_t>(std::lround(theta / std::numbers::pi * last));
+    };
+    Responses responses{[&symbol, at, dx](double theta) { return symbol.first[at(theta)] * dx / theta; }, {}};
+    if (viscous)
+    {
+        responses.laplacian = [&symbol, at, dx](double theta)
+        { return symbol.second[at(theta)] * dx * dx / (theta * theta); };
+    }
+    return responses;
+}
+
 } // namespace
 
 KernelResolution kernelResolution(const Lattice& lattice, const KernelSettings& settings,
@@ -103,9 +121,21 @@ KernelResolution kernelResolution(const Lattice& lattice, const KernelSettings& 
     }
 
     std::optional<KernelSamples> samples;
+    std::optional<LineSymbol> line;
     Responses responses;
     double largest = 16 * std::numbers::pi; // closed symbols may have their cut-off beyond the lattice's last wave
-    if (settings.symbol == KernelSettings::Symbol::sampled)
+    if (settings.symbol == KernelSettings::Symbol::sampled && !lattice.periodic())
+    {
+        constexpr int longLine = 1 << 16;
+        const double dx = lattice.activeAxis(0).spacing();
+        line = lineSymbolOf(settings, laplacian.value_or(LaplacianForm::exact), longLine, dx);
+        responses = lineResponses(*line, dx, laplacian.has_value());
+        largest = std::numbers::pi;
+        resolution.supportPoints = settings.supportRadius * settings.smoothingLength;
+        resolution.neighbours = 2 * static_cast<std::size_t>(*resolution.supportPoints + 1e-9) + 1;
+        resolution.defect = std::abs(responses.gradient(2 * std::numbers::pi / longLine) - 1);
+    }
+    else if (settings.symbol == KernelSettings::Symbol::sampled)
     {
         samples.emplace(lattice, settings, laplacian.value_or(LaplacianForm::exact));
         const double dx = lattice.activeAxis(0).spacing();

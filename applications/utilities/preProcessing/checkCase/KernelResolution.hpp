@@ -31,7 +31,8 @@ struct KernelResolution
     std::optional<double> cutOff;
 
     std::optional<double> supportPoints; ///< radius of the samples [dx]; nothing for closed symbols
-    std::size_t neighbours = 0;          ///< points in the support of a sampled kernel, the point itself included
+    std::size_t neighbours = 0;          ///< points in the support of a sampled kernel (on a line where an axis is
+                                         ///< bounded), the point itself included
     double defect = 0;                   ///< sampled: relative error of the derivative of the longest waves
 };
 
