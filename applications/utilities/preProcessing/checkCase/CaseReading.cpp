@@ -209,15 +209,6 @@ void Reader::readFields()
                 reading_.boundary.emplace(readFlowBoundary(theCase(), time, lattice, *reading_.fluid, files));
             });
     }
-    if (reading_.U && reading_.p)
-    {
-        attempt(
-            [&]
-            {
-                const FlowFiles files = readFlowFiles(theCase(), time, lattice, *reading_.fluid);
-                readFlowBoundary(theCase(), time, lattice, *reading_.fluid, files);
-            });
-    }
 
     std::optional<FieldsOfTime> fields;
     attempt([&] { fields.emplace(theCase(), time); });
