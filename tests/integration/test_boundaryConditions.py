@@ -107,6 +107,14 @@ class BoundaryConditions(CaseTest):
         case = self.channel(lid=("type fixedValue; value expression (\"1/(x - 0.5)\" \"0\" \"0\");", "type zeroGradient;"))
         self.refused(case, ("0/U", "lid.value"), "is infinite at (0.5 1 0)")
 
+    def test_values_that_are_not_finite_later(self):
+        case = self.channel(lid=("type fixedValue; value expression (\"0.1*x/(0.1 - t)\" \"0\" \"0\");", "type zeroGradient;"))
+        result = case.run("isphFoam")
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn(f"0/U:{case.line_of('0/U', 'lid')}: boundaryField.lid.value: ", result.stderr)
+        self.assertIn(", t = 0.1", result.stderr)
+        self.assertEqual(case.times(), ["0", "0.05"])
+
     def test_unknown_names_in_expressions(self):
         case = self.channel(lid=("type fixedValue; value expression (\"Umax*x\" \"0\" \"0\");", "type zeroGradient;"))
         self.refused(case, ("0/U", "lid.value"), "Umax")
