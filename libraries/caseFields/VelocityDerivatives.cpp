@@ -28,10 +28,8 @@ Continuations smoothContinuations(const Lattice& lattice)
     {
         const Axis& axis = lattice.activeAxis(d);
         if (axis.periodic()) { continue; }
-        // A lattice of a few points is differentiated as well as they allow.
-        const int degree = std::clamp(axis.count - 1, SmoothGram::leastDegree, 4);
         continuations[static_cast<std::size_t>(lattice.direction(d))] =
-            std::make_unique<SmoothGram>(automaticNewPoints(axis.count), degree);
+            std::make_unique<SmoothGram>(defaultSmoothGram(axis.count));
     }
     return continuations;
 }

@@ -2,6 +2,7 @@
 
 #include "core/Error.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace isph
@@ -64,6 +65,11 @@ std::vector<BlendedContinuation::Extrapolation> SmoothGram::extrapolations(EndCo
         steps.push_back(step);
     }
     return steps;
+}
+
+SmoothGram defaultSmoothGram(int n)
+{
+    return SmoothGram(automaticNewPoints(n), std::clamp(n - 1, SmoothGram::leastDegree, 4));
 }
 
 } // namespace isph

@@ -28,4 +28,7 @@ private:
     int degree_;
 };
 
+/// The default for a line of n points: degree 4, or what fewer than five points determine.
+SmoothGram defaultSmoothGram(int n);
+
 } // namespace isph

@@ -1,5 +1,7 @@
 #include "sampling/Interpolation.hpp"
 
+#include "continuation/SmoothGram.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -16,7 +18,7 @@ namespace
 constexpr double roundOff = 1e-9;
 
 constexpr std::array<Selection<Interpolation>::Variant, 3> table{{
-    {"spectral", "the Fourier series itself, on periodic axes; cubic on bounded ones", Interpolation::spectral},
+    {"spectral", "the Fourier series itself, on bounded axes of the continued values", Interpolation::spectral},
     {"linear", "between two points an axis, order 2", Interpolation::linear},
     {"cubic", "through four points an axis, order 4", Interpolation::cubic},
 }};
@@ -34,6 +36,28 @@ std::vector<double> fourierWeights(int n, double s)
         const double sine = (static_cast<long>(floor) - j) % 2 == 0 ? numerator : -numerator;
         const double angle = std::numbers::pi * (s - j) / n;
         weights[static_cast<std::size_t>(j)] = sine / (n % 2 == 0 ? std::tan(angle) : std::sin(angle));
+    }
+    return weights;
+}
+
+/// Weights of the Fourier series of n points and of what continues them periodically, at position s. The new points are
+/// sums over points near both ends, and their weights go to these.
+std::vector<double> continuedWeights(int n, double s)
+{
+    const SmoothGram continuation = defaultSmoothGram(n);
+    const int newPoints = continuation.newPoints();
+    const std::vector<double> extended = fourierWeights(n + newPoints, s);
+    const EndBlock end = continuation.end(EndCondition::dirichlet);
+    std::vector<double> weights(extended.begin(), extended.begin() + n);
+    for (int k = 1; k <= newPoints; ++k)
+    {
+        const double ofUpper = extended[static_cast<std::size_t>(n - 1 + k)];
+        const double ofLower = extended[static_cast<std::size_t>(n + newPoints - k)];
+        for (int c = 0; c < end.points; ++c)
+        {
+            weights[static_cast<std::size_t>(n - 1 - c)] += end.weight(k, c) * ofUpper;
+            weights[static_cast<std::size_t>(c)] += end.weight(k, c) * ofLower;
+        }
     }
     return weights;
 }
@@ -71,7 +95,10 @@ AxisStencil axisStencil(const Axis& axis, double coordinate, Interpolation inter
     const bool isPoint = axis.periodic() || (nearest >= 0 && nearest < axis.count);
     if (isPoint && std::abs(s - nearest) < roundOff) { return {static_cast<int>(nearest) % axis.count, {1.0}}; }
 
-    if (interpolation == Interpolation::spectral && axis.periodic()) { return {0, fourierWeights(axis.count, s)}; }
+    if (interpolation == Interpolation::spectral && axis.count > 1)
+    {
+        return {0, axis.periodic() ? fourierWeights(axis.count, s) : continuedWeights(axis.count, s)};
+    }
 
     const int points = std::min(interpolation == Interpolation::linear ? 2 : 4, axis.count);
     int first = static_cast<int>(std::floor(s)) - (points / 2 - 1);

@@ -67,16 +67,10 @@ Interpolator::Interpolator(const Lattice& lattice, const Points& points, Interpo
         std::ranges::sort(distinctCoordinates);
         const auto repeated = std::ranges::unique(distinctCoordinates);
         distinctCoordinates.erase(repeated.begin(), repeated.end());
-        bool betweenPoints = false;
         for (const double coordinate : distinctCoordinates)
         {
             requireInside(axis, coordinate);
             stencils_[d].push_back(axisStencil(axis, coordinate, interpolation));
-            betweenPoints = betweenPoints || stencils_[d].back().weights.size() > 1;
-        }
-        if (betweenPoints && !axis.periodic() && interpolation == Interpolation::spectral)
-        {
-            cubicInstead_ += axis.name;
         }
         for (const double coordinate : points[d])
         {

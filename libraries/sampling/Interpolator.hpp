@@ -30,16 +30,12 @@ public:
     /// values[n] becomes the value at point n.
     void operator()(std::span<const double> field, std::span<double> values) const;
 
-    /// Names of the bounded axes on which cubic interpolation stood in for spectral ("y", "yz"); empty if none.
-    const std::string& cubicInstead() const { return cubicInstead_; }
-
 private:
     std::array<int, 3> counts_{};
     std::array<int, 3> axes_{0, 1, 2};                 ///< in the order of summing up
     std::array<std::vector<AxisStencil>, 3> stencils_; ///< by direction, one for each distinct coordinate
     std::array<std::vector<std::size_t>, 3> which_;    ///< by direction, the stencil of each point
     std::vector<std::size_t> order_;                   ///< points sorted so that sums are shared
-    std::string cubicInstead_;
 };
 
 } // namespace isph

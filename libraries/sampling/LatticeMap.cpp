@@ -106,7 +106,8 @@ std::string LatticeMap::method() const
     for (int d = 0; d < source_.dimensions(); ++d)
     {
         const Axis& axis = source_.activeAxis(d);
-        text += fmt::format("{}{} along {}", d > 0 ? ", " : "", axis.periodic() ? "spectral" : "cubic", axis.name);
+        text += fmt::format("{}{} along {}", d > 0 ? ", " : "",
+                            axis.periodic() ? "spectral" : "spectral by continuation", axis.name);
     }
     return text;
 }

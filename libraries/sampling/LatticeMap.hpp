@@ -17,8 +17,8 @@ namespace isph
 ///
 /// Where both boxes are one period along every axis, by their Fourier modes: a finer lattice gets the Fourier series
 /// itself, a coarser one the modes it can hold, so that nothing is aliased; a shift of the box is a phase. Else point
-/// by point: by the Fourier series along periodic axes, cubic along bounded ones. An axis that the source leaves out is
-/// uniform; an axis that the target leaves out is cut at the target's place.
+/// by point, by the Fourier series of the values along periodic axes, of their continuation along bounded ones. An axis
+/// that the source leaves out is uniform; an axis that the target leaves out is cut at the target's place.
 class LatticeMap
 {
 public:
@@ -30,8 +30,8 @@ public:
     /// source leaves out is zero.
     RealField operator()(const RealField& field);
 
-    /// How values are found, for a report: "the points are the same", "Fourier modes", "spectral along x, cubic along
-    /// y".
+    /// How values are found, for a report: "the points are the same", "Fourier modes", "spectral along x, spectral
+    /// by continuation along y".
     std::string method() const;
 
 private:

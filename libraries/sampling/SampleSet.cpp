@@ -93,11 +93,6 @@ void SampleSet::add(const std::string& kind, const std::string& name, std::vecto
     try
     {
         Interpolator interpolator(lattice_, points, interpolation);
-        for (const char axis : interpolator.cubicInstead())
-        {
-            notes_.push_back(fmt::format(
-                "{} '{}': spectral interpolation needs a periodic axis, so along {} it is cubic", kind, name, axis));
-        }
         places_.push_back({name, std::move(distance), std::move(points), std::move(interpolator)});
     }
     catch (const Error& error)

@@ -63,9 +63,6 @@ public:
     std::size_t size() const { return places_.size(); }
     const std::string& name(std::size_t place) const { return places_[place].name; }
 
-    /// What a user must know of the way values are found, a sentence each: spectral is not there on bounded axes.
-    const std::vector<std::string>& notes() const { return notes_; }
-
     /// "distance [m]" (lines only), "x [m]", "y [m]", "z [m]", then each field: "p [m2/s2]", or three columns "U.x
     /// [m/s]", "U.y [m/s]", "U.z [m/s]" for a vector, with zeros along an axis that is left out.
     SampleTable sample(std::size_t place, std::span<const NamedField> fields) const;
@@ -85,7 +82,6 @@ private:
     Lattice lattice_;
     std::vector<Word> fields_;
     std::vector<Place> places_;
-    std::vector<std::string> notes_;
 };
 
 /// The table as CSV; numbers read back as the same bits.

@@ -52,7 +52,6 @@ TEST(SampleSet, linesHaveDistanceCoordinatesAndFields)
     EXPECT_EQ(set.name(0), "up");
     EXPECT_EQ(set.fields().at(0).text, "U");
     EXPECT_EQ(set.fields().at(1).text, "p");
-    EXPECT_TRUE(set.notes().empty());
 
     const SampleTable table = set.sample(0, std::vector<NamedField>{{"U", "m/s", U}, {"p", "m2/s2", p}});
     EXPECT_THAT(table.heads, ElementsAre("distance [m]", "x [m]", "y [m]", "z [m]", "U.x [m/s]", "U.y [m/s]",
@@ -97,20 +96,11 @@ TEST(SampleSet, planesInTwoDimensions)
     EXPECT_EQ(fine.columns[1].back(), 1.25);
 }
 
-TEST(SampleSet, saysThatSpectralIsNotThereOnBoundedAxes)
-{
-    const Lattice lattice = mixedLattice(8, 9, 1);
-    const SampleSet set = read("lines { up { start (0 0.25 0); end (0 1.25 0); nPoints 4; } }", lattice);
-    EXPECT_THAT(set.notes(),
-                ElementsAre("line 'up': spectral interpolation needs a periodic axis, so along y it is cubic"));
-}
-
 TEST(SampleSet, choicesOverrideTheDictionary)
 {
     const Lattice lattice = mixedLattice(8, 9, 1);
     const SampleSet set = read("lines { up { start (0 0.25 0); end (0 1.25 0); nPoints 4; } } fields (p);", lattice,
                                {.fields = {{{"vorticity", {}}}}, .interpolation = {{"linear", {}}}, .only = {}});
-    EXPECT_TRUE(set.notes().empty());
     EXPECT_EQ(set.fields().at(0).text, "vorticity");
 }
 

@@ -151,7 +151,6 @@ static void run(const CommandLine& line, Log& log)
     }
     FieldsOfTime first(theCase, times.front().name);
     const SampleSet set = readSamples(line, theCase, lattice, first);
-    for (const std::string& note : set.notes()) { log.warning(note); }
 
     for (const TimeDirectory& time : times)
     {
