@@ -240,6 +240,20 @@ std::span<const double> FlowBoundary::velocity(int direction, Side side, int d) 
     return faces_[at(direction)][at(side)].velocity[at(d)];
 }
 
+std::span<const double> FlowBoundary::ownVelocity(int direction, Side side, int d) const
+{
+    return faces_[at(direction)][at(side)].own[at(d)];
+}
+
+std::span<const double> FlowBoundary::normalVelocity(int direction, Side side) const
+{
+    for (int d = 0; d < lattice_.dimensions(); ++d)
+    {
+        if (lattice_.direction(d) == direction) { return faces_[at(direction)][at(side)].own[at(d)]; }
+    }
+    return {};
+}
+
 std::span<const double> FlowBoundary::pressure(int direction, Side side) const
 {
     return faces_[at(direction)][at(side)].pressure;

@@ -89,6 +89,13 @@ public:
     /// the face prescribes it (faces with slip prescribe their normal component: zeros).
     std::span<const double> velocity(int direction, Side side, int d) const;
 
+    /// The same as the face itself has it, whoever owns its corners: what an integral over the face takes.
+    std::span<const double> ownVelocity(int direction, Side side, int d) const;
+
+    /// What a face itself lets through along its axis, not heeding the corner rule: no flow enters through a wall at
+    /// rest because a lid beside it moves. Empty unless the face prescribes it.
+    std::span<const double> normalVelocity(int direction, Side side) const;
+
     /// Prescribed pressure or outward derivative; empty: zero, or not prescribed.
     std::span<const double> pressure(int direction, Side side) const;
 

@@ -94,7 +94,7 @@ void BoundedFlow::subtractPrescribed(double factor)
         for (const Side side : {Side::low, Side::high})
         {
             auto& slopes = slopes_[at(d)][side == Side::low ? 0 : 1];
-            const auto prescribed = boundary_.velocity(direction, side, d);
+            const auto prescribed = boundary_.normalVelocity(direction, side);
             for (std::size_t l = 0; l < prescribed.size(); ++l) { slopes[l] -= factor * prescribed[l]; }
         }
     }
