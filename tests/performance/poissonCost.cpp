@@ -1,4 +1,5 @@
-// poissonCost: a Poisson solve between walls against a forward and a backward real Fourier transform of the same size.
+// poissonCost: a Poisson solve between walls against a forward and a backward real Fourier transform of the same size,
+// and against a direct solve of the continued Laplacian.
 //
 //     OMP_NUM_THREADS=1 build/tests/poissonCost            channels, boxes and ducts
 //     OMP_NUM_THREADS=1 build/tests/poissonCost 160        a channel and a box of one size
@@ -6,9 +7,11 @@
 // Then transforms along single axes in units of the same r2c line by line, contiguous. The smallest of several
 // repetitions counts, interleaved, because machines are noisy.
 
-#include "poisson/BoundedPoisson.hpp"
+#include "continuation/SmoothGram.hpp"
+#include "poisson/ContinuedHelmholtz.hpp"
 #include "spectral/LineTransform.hpp"
 #include "support/fields.hpp"
+#include "support/kernels.hpp"
 #include "support/periodicBox.hpp"
 
 #include <algorithm>
@@ -92,6 +95,29 @@ void measure(const std::string& name, int n, const std::array<AxisEnds, 3>& ends
     std::fflush(stdout);
 }
 
+/// ContinuedHelmholtz against BoundedPoisson.
+void measureDirect(const std::string& name, int n, const std::array<AxisEnds, 3>& ends)
+{
+    const Lattice lattice = withWalls(n, ends, 2);
+    Continuations continuations;
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+        if (ends[d].low != End::periodic)
+        {
+            continuations[d] = std::make_unique<SmoothGram>(automaticNewPoints(n + 1));
+        }
+    }
+    BoundedPoisson poisson(lattice, ends, PlanEffort::measured);
+    ContinuedHelmholtz direct(lattice, continuedAxes(lattice, continuations, exactKernel(), ends),
+                              PlanEffort::measured);
+    const RealField source = noise(lattice, 1, 1);
+    RealField phi(1, lattice.points());
+    const auto [solve, fast] =
+        smallest([&] { direct.solve(0, -1, source[0], {}, phi[0]); }, [&] { poisson.solve(source, {}, phi); });
+    fmt::print("{:<28} {:>12.3e} {:>12.3e} {:>8.2f}\n", name + ", " + std::to_string(n), solve, fast, solve / fast);
+    std::fflush(stdout);
+}
+
 void measureTransforms(int n)
 {
     LineTransform packaged(n, n, PlanEffort::measured);
@@ -141,6 +167,12 @@ int main(int argc, char** argv)
         measure("duct", 64, {open, walls, walls}, 3);
         measure("cube", 64, {walls, walls, walls}, 3);
     }
+
+    const AxisEnds rest{End::dirichlet, End::dirichlet};
+    fmt::print("\n{:<28} {:>12} {:>12} {:>8}\n", "continued Laplacian", "direct [s]", "series [s]", "ratio");
+    for (const int n : sizes) { measureDirect("channel, slopes", n, {open, walls, open}); }
+    for (const int n : sizes) { measureDirect("box, slopes", n, {walls, walls, open}); }
+    for (const int n : sizes) { measureDirect("box, values", n, {rest, rest, open}); }
 
     fmt::print("\n{:<10} {:>6} {:>10} {:>10}\n", "transform", "n", "along x", "along y");
     for (const int n : sizes) { measureTransforms(n); }
