@@ -1,5 +1,6 @@
 """The limits that checkCase prints are those of the solver: stable at 0.98 of them, unstable at 1.03."""
 import json
+import os
 import re
 import unittest
 
@@ -100,6 +101,61 @@ class StabilityLimits(CaseTest):
         case.put("system/schemes", self.KERNELS["exact"] + "time RK3; convection none;")
         self.assertIsNone(self.stability(case)["courant"])
         self.assertIsNone(self.stability(case)["largestStableStep"])
+
+
+class WallLimits(CaseTest):
+    """Between walls that move with the flow the printed limits are safe, and within 20 % of where noise grows."""
+
+    STEPS = 500
+    stability = StabilityLimits.stability
+
+    def growth(self, schemes, nu, velocity, number, height):
+        case = self.case(nu=nu, functions="")
+        case.put("system/latticeDict", f"origin (0 0 0); extent (1 {height} 0); intervals (24 24 0);\n"
+                 "patches { sides { type periodic; axis x; } walls { type wall; faces (yMin yMax); } }\n")
+        case.put("0/U", 'dimensions [0 1 -1 0 0 0 0];\n'
+                 f'internalField expression ("{velocity} + 1e-6*noise(1)" "1e-6*noise(2)" "0");\n'
+                 "boundaryField { sides { type periodic; }\n"
+                 f"    walls {{ type fixedValue; value uniform ({velocity} 0 0); }} }}\n")
+        case.put("0/p", "dimensions [0 2 -2 0 0 0 0];\ninternalField uniform 0;\n"
+                 "boundaryField { sides { type periodic; } walls { type zeroGradient; } }\n")
+        case.put("system/schemes", header("schemes") + schemes)
+        os.remove(case.path("system/sampleDict"))
+        self.succeeds(case, "makeLattice")
+        stability = self.stability(case)
+        self.assertEqual(stability["ruling"], "viscous" if float(nu) > 0 else "convective")
+        deltaT = number * stability["largestStableStep"]
+        case.set("system/controlDict", "deltaT", repr(deltaT))
+        case.set("system/controlDict", "endTime", repr(self.STEPS * deltaT))
+        case.set("system/controlDict", "writeInterval", "endTime")
+        case.replace("system/controlDict", "functions\n{", f"functions\n{{\n    errors {{ type errorNorms; "
+                     f"writeInterval {self.STEPS // 8}; exact {{ U uniform ({velocity} 0 0); }} }}")
+        result = case.run("isphFoam")
+        if result.returncode == 3:
+            return float("inf"), float("inf")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        norms = [float(row["L2(U)"]) for row in case.table("errors")]
+        return max(norms) / norms[0], norms[-1] / norms[0]
+
+    def check(self, schemes, nu, velocity, height=1):
+        largest, _ = self.growth(schemes, nu, velocity, 0.98, height)
+        self.assertLess(largest, 2, f"not stable at 0.98: {schemes}")
+        _, last = self.growth(schemes, nu, velocity, 1.2, height)
+        self.assertGreater(last, 100, f"stable at 1.2: {schemes}")
+
+    KERNELS = {
+        "exact": "kernel { type exact; }",
+        "the default": "kernel { type gaussian; }",
+        "gaussian 4, wide": "kernel { type gaussian; order 4; smoothingLength 2; }",
+        "sampled": "kernel { type gaussian; order 4; symbol sampled; supportRadius 4; }",
+    }
+
+    def test_between_walls(self):
+        for name, kernel in self.KERNELS.items():
+            for height in (1, 3) if name == "exact" else (1,):
+                with self.subTest(name, height=height):
+                    self.check(kernel + "convection none; viscous explicit;", "0.1", 0, height)
+                    self.check(kernel, "0", 1, height)
 
 
 if __name__ == "__main__":

@@ -1,10 +1,15 @@
 #include "CaseCheck.hpp"
 
+#include "continuation/LineSymbol.hpp"
 #include "flow/flowMemory.hpp"
+#include "flow/sceneSymbols.hpp"
 #include "lattice/fastCounts.hpp"
 #include "lattice/memoryEstimate.hpp"
+#include "operators/continuedBounds.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <numbers>
 
 namespace isph
 {
@@ -80,6 +85,31 @@ void warnOfOperators(const OperatorBounds& bounds, const Fluid& fluid, bool boun
                     -fluid.nu * bounds.leastLaplacian, fluid.nu * bounds.laplacian));
 }
 
+/// A mode at the walls that a derivative does not turn but magnifies, which the projection then feeds.
+void warnOfWallModes(const Lattice& lattice, const FlowSettings& settings, const OperatorBounds& bounds,
+                     Warnings& warnings)
+{
+    constexpr double growing = 0.45; // of the Nyquist wavenumber: 0.41 was seen to be stable, 0.58 not
+    constexpr double beyondWaves = 1.3;
+    for (int d = 0; d < lattice.dimensions(); ++d)
+    {
+        const auto& continuation = settings.continuations[static_cast<std::size_t>(lattice.direction(d))];
+        if (!continuation) { continue; }
+        const Axis& axis = lattice.activeAxis(d);
+        const auto waves = lineSymbol(settings.kernel, axis.count + continuation->newPoints(), axis.spacing()).first;
+        const double nyquist = std::numbers::pi / axis.spacing();
+        const double ofWaves = *std::max_element(waves.begin(), waves.end()) / nyquist;
+        const double atWalls = bounds.derivative[static_cast<std::size_t>(d)] / nyquist;
+        if (atWalls < growing || atWalls < beyondWaves * ofWaves) { continue; }
+        warnings.push_back(
+            fmt::format("the kernel smooths too much for the continuation along {}: its derivative is "
+                        "{:.2g} of the Nyquist wavenumber for a mode at the walls, {:.2g} for waves, and "
+                        "the projection makes such modes grow: take a lower degree or type mirror in "
+                        "continuation, or a kernel of higher order or smaller smoothingLength",
+                        axis.name, atWalls, ofWaves));
+    }
+}
+
 void warnOfSteps(const StepForecast& steps, const TimeControl& control, Warnings& warnings)
 {
     if (steps.step == 0)
@@ -113,8 +143,8 @@ CaseCheck checkCase(const std::filesystem::path& directory)
 
     const FlowSettings& settings = *reading.settings;
     const Fluid& fluid = *reading.fluid;
-    check.scene = describeScene(lattice, fluid, settings);
-    check.memory = flowMemory(lattice, fluid, settings);
+    check.scene = reading.scalar ? reading.transport : describeScene(lattice, fluid, settings);
+    check.memory = reading.scalar ? reading.memory : flowMemory(lattice, fluid, settings);
     warnOfContinuation(lattice, settings.continuations, warnings);
     try
     {
@@ -123,8 +153,12 @@ CaseCheck checkCase(const std::filesystem::path& directory)
             kernelResolution(lattice, settings.kernel, viscous ? std::optional(settings.laplacian) : std::nullopt);
         warnOfKernel(*check.kernel, warnings);
         if (!reading.control || !reading.velocity) { return check; }
-        check.steps = forecastSteps(lattice, fluid, settings, *reading.control, *reading.velocity);
+        const OperatorBounds bounds =
+            reading.scalar ? continuedBounds(lattice, settings.continuations, settings.kernel, settings.laplacian)
+                           : boundsOf(lattice, fluid, settings);
+        check.steps = forecastSteps(lattice, fluid, settings, bounds, *reading.control, *reading.velocity);
         warnOfOperators(check.steps->bounds, fluid, !lattice.periodic(), warnings);
+        warnOfWallModes(lattice, settings, check.steps->bounds, warnings);
         warnOfSteps(*check.steps, *reading.control, warnings);
     }
     catch (const Error& error)

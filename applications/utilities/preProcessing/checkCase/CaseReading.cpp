@@ -10,6 +10,8 @@
 #include "lattice/memoryEstimate.hpp"
 #include "lattice/readLattice.hpp"
 #include "sampling/readSampleSet.hpp"
+#include "transport/readScalarFunctions.hpp"
+#include "transport/TransportScene.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -33,6 +35,15 @@ public:
         requireWritable();
         readTimes();
         readPoints();
+        const auto& control = reading_.controlDict;
+        reading_.scalar =
+            control && control->has("application") && control->text("application") == "scalarTransportFoam";
+        if (reading_.scalar)
+        {
+            readScalar();
+            readSamples();
+            return;
+        }
         readSchemes();
         readFluidOfCase();
         resolveSettings();
@@ -73,6 +84,8 @@ private:
     void readFields();
     void readFunctions();
     void readSamples();
+    void readScalar();
+    void readScalarFields();
 
     const Case& theCase() const { return *reading_.theCase; }
     Dictionary file(const std::string& relative) const { return theCase().dictionary(relative); }
@@ -271,6 +284,67 @@ void Reader::readSamples()
         return;
     }
     attempt([&] { readSampleSet(file("system/sampleDict"), *reading_.lattice); });
+}
+
+void Reader::readScalar()
+{
+    attempt(
+        [&]
+        {
+            const double DT = readDiffusivity(theCase());
+            reading_.fluid.emplace().nu = DT;
+        });
+    attempt([&] { file("system/schemes"); });
+    if (!reading_.lattice || !reading_.fluid)
+    {
+        reading_.unread.emplace_back("schemes, fields and functions");
+        return;
+    }
+    const Lattice& lattice = *reading_.lattice;
+    attempt([&] { reading_.schemes = completedSchemes(file("system/schemes"), lattice); });
+    if (reading_.schemes)
+    {
+        attempt([&] { reading_.settings = readTransportSettings(theCase(), lattice, reading_.fluid->nu); });
+    }
+    if (reading_.start) { readScalarFields(); }
+}
+
+void Reader::readScalarFields()
+{
+    const std::string time = reading_.start->folder.name;
+    const Lattice& lattice = *reading_.lattice;
+    const std::size_t slips = reading_.slips.size();
+    std::string unit = "1";
+    attempt(
+        [&]
+        {
+            const ScalarFile T = readScalarFile(theCase(), time, lattice);
+            unit = T.unit;
+            readScalarBoundary(theCase(), T.T, lattice).update(reading_.start->state.time);
+        });
+    attempt([&] { readGivenVelocity(theCase(), carrierFolder(theCase(), time), lattice); });
+    attempt([&] { readScalarFunctions(theCase(), lattice, time, unit); });
+    if (!reading_.settings || reading_.slips.size() > slips) { return; }
+
+    attempt(
+        [&]
+        {
+            TransportScene scene(theCase(), time);
+            Timings timings;
+            ScalarTransport transport(scene.lattice, scene.diffusivity, scene.settings, *scene.velocity, scene.boundary,
+                                      timings);
+            startTransport(theCase(), time, reading_.start->restart, reading_.start->state.time, scene, transport);
+            if (!transport.sound(unlimited))
+            {
+                throw Error(Fault::input, {time + "/T", 0, "internalField"}, "is not finite everywhere in the box",
+                            "look for a division by zero, or a root or logarithm of a negative number");
+            }
+            transport.rates(reading_.start->state.time);
+            reading_.velocity = copyOf(transport.velocity());
+            reading_.transport = describeTransport(scene, transport);
+            reading_.memory = transportMemory(scene);
+            if (!transport.dealiases()) { reading_.settings->dealiasing = Dealiasing::none; }
+        });
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "case/readTimeControl.hpp"
 #include "core/Error.hpp"
 #include "fields/Field.hpp"
+#include "flow/describeScene.hpp"
 #include "flow/FlowSettings.hpp"
 #include "flow/Fluid.hpp"
 #include "lattice/Lattice.hpp"
@@ -38,6 +39,10 @@ struct CaseReading
     std::optional<Dictionary> p;
     std::optional<FlowBoundary> boundary; ///< with the data of the start
     std::optional<RealField> velocity;    ///< at the points, as written but for the walls: not projected
+
+    bool scalar = false;                       ///< a case of scalarTransportFoam; nu of its fluid is DT
+    std::optional<SceneDescription> transport; ///< of such a case
+    std::optional<double> memory;              ///< that it needs [bytes]
 };
 
 CaseReading readWholeCase(const std::filesystem::path& directory);

@@ -130,6 +130,26 @@ void sortContinuation(const Dictionary& continuation, const Lattice& lattice, co
     sorter.sort(continuation, "extended", "");
 }
 
+/// Besides the kernel.
+void sortScalarSchemes(const Dictionary& schemes, const CaseReading& reading, Sorter& sorter)
+{
+    const FlowSettings& settings = *reading.settings;
+    const bool convects = settings.convection != ConvectionForm::none;
+    const std::string still = reading.fluid->nu > 0 ? "" : "DT is 0: nothing diffuses";
+    sorter.sort(schemes, "convection", convects ? "advective" : "none");
+    sorter.sort(schemes, "laplacian", "", still);
+    sorter.sort(schemes, "time", "");
+    sorter.sort(schemes, "viscous", "explicit", still);
+    sorter.sort(schemes, "dealiasing", std::string(dealiasings().nameOf(settings.dealiasing)));
+    sortFilter(schemes.dictionary("filter"), settings.filter, sorter);
+    for (const char* key : {"meanFlow", "walls"}) { sorter.idle(schemes, key, "it is about flows, and U is given"); }
+    if (!reading.lattice->periodic())
+    {
+        sortContinuation(schemes.dictionary("continuation"), *reading.lattice, settings.continuations, sorter);
+    }
+    else { sorter.idle(schemes, "continuation", "every axis is periodic"); }
+}
+
 void sortSchemes(const Dictionary& schemes, const CaseReading& reading, Sorter& sorter)
 {
     const FlowSettings& settings = *reading.settings;
@@ -138,6 +158,11 @@ void sortSchemes(const Dictionary& schemes, const CaseReading& reading, Sorter& 
     const std::string inviscid = reading.fluid->nu > 0 ? "" : "nu is 0: there is no viscous term";
     sorter.sort(schemes, "preset", "");
     sortKernel(schemes.dictionary("kernel"), settings.kernel, sorter);
+    if (reading.scalar)
+    {
+        sortScalarSchemes(schemes, reading, sorter);
+        return;
+    }
     sorter.sort(schemes, "operators", "");
     sorter.sort(schemes, "convection", "");
     sorter.sort(schemes, "laplacian", "", inviscid);
@@ -257,7 +282,7 @@ SchemeChoices schemeChoices(const CaseReading& reading)
         Sorter ofSchemes(choices.schemes, choices.idle);
         sortSchemes(*reading.schemes, reading, ofSchemes);
         Sorter ofSolution(choices.solution, choices.idle);
-        sortSolution(*reading.solution, reading, ofSolution);
+        if (reading.solution) { sortSolution(*reading.solution, reading, ofSolution); }
     }
     Sorter others(unlisted, choices.idle);
     if (reading.control && reading.settings)

@@ -2,7 +2,6 @@
 
 #include "fields/reductions.hpp"
 #include "flow/convectiveRates.hpp"
-#include "flow/sceneSymbols.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,10 +40,10 @@ StepRates ratesAtStart(const Lattice& lattice, const Fluid& fluid, const FlowSet
 } // namespace
 
 StepForecast forecastSteps(const Lattice& lattice, const Fluid& fluid, const FlowSettings& settings,
-                           const TimeControl& control, const RealField& velocity)
+                           const OperatorBounds& bounds, const TimeControl& control, const RealField& velocity)
 {
     StepForecast forecast;
-    forecast.bounds = boundsOf(lattice, fluid, settings);
+    forecast.bounds = bounds;
     forecast.numbers = stableNumbers(lattice, fluid, settings, forecast.bounds);
     forecast.rates = ratesAtStart(lattice, fluid, settings, forecast.bounds, velocity);
     if (settings.automaticViscous && fluid.nu > 0)

@@ -28,10 +28,11 @@ struct StepForecast
     std::string_view ruling = "none"; ///< "convective", "viscous", or "none" where nothing limits the step
 };
 
+/// \param bounds of the operators that the solver has
 /// \param control at the start of the run
 /// \param velocity at the points, as written: the projection of the start is not made
 /// \throws Error(diverged) if no step would ever reach the end.
 StepForecast forecastSteps(const Lattice& lattice, const Fluid& fluid, const FlowSettings& settings,
-                           const TimeControl& control, const RealField& velocity);
+                           const OperatorBounds& bounds, const TimeControl& control, const RealField& velocity);
 
 } // namespace isph

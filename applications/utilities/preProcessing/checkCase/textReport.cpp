@@ -181,12 +181,13 @@ void Reporter::printLimits() const
     const StepForecast& steps = *check_.steps;
     const FlowSettings& settings = *reading_.settings;
     const bool convects = settings.convection != ConvectionForm::none;
+    const std::string_view viscosity = reading_.scalar ? "DT" : "nu";
     if (!convects) { row("largest Courant number", "no limit: nothing is convected"); }
     else if (settings.time->imaginaryLimit == 0)
     {
         const double step = steps.rates.unbalancedConvection > 0 ? 2 / steps.rates.unbalancedConvection : unlimited;
-        row("largest Courant number", fmt::format("none: {} needs dt <= 2 nu/|u|^2 instead, here {:.4g} s",
-                                                  timeSchemes().nameOf(settings.time), step));
+        row("largest Courant number", fmt::format("none: {} needs dt <= 2 {}/|u|^2 instead, here {:.4g} s",
+                                                  timeSchemes().nameOf(settings.time), viscosity, step));
     }
     else if (steps.numbers.courant)
     {
@@ -195,16 +196,17 @@ void Reporter::printLimits() const
     if (steps.numbers.viscous)
     {
         row("largest viscous number",
-            fmt::format("{:.4g} (nu dt/dx^2){}", *steps.numbers.viscous,
+            fmt::format("{:.4g} ({} dt/dx^2){}", *steps.numbers.viscous, viscosity,
                         !settings.automaticViscous ? ""
                         : steps.crankNicolson      ? " where the term is explicit; CrankNicolson pays and begins"
                                                    : "; beyond it CrankNicolson, which does not pay at the start"));
     }
     else
     {
-        row("largest viscous number", reading_.fluid->nu == 0  ? "no limit: nu is 0"
-                                      : settings.crankNicolson ? "no limit: CrankNicolson is implicit"
-                                                               : "no limit: the integrating factor is exact");
+        row("largest viscous number", reading_.fluid->nu == 0 ? fmt::format("no limit: {} is 0", viscosity)
+                                      : settings.crankNicolson
+                                          ? std::string("no limit: CrankNicolson is implicit")
+                                          : std::string("no limit: the integrating factor is exact"));
     }
     row("largest stable step", std::isfinite(steps.largestStable)
                                    ? fmt::format("{:.4g} s for the velocity at the start; the {} term rules",
