@@ -2,6 +2,7 @@
 
 #include "caseFields/FieldsOfTime.hpp"
 #include "core/Error.hpp"
+#include "lattice/memoryEstimate.hpp"
 #include "lattice/readLattice.hpp"
 
 #include <fmt/format.h>
@@ -10,11 +11,16 @@
 namespace isph
 {
 
+std::string carrierFolder(const Case& theCase, const std::string& startTime)
+{
+    return theCase.has(startTime + "/U") ? startTime : "0";
+}
+
 TransportScene::TransportScene(const Case& theCase, const std::string& startTime)
     : lattice(readLattice(theCase.dictionary("constant/lattice"))),
       diffusivity(readDiffusivity(theCase)),
       settings(readTransportSettings(theCase, lattice, diffusivity)),
-      velocity(readGivenVelocity(theCase, theCase.has(startTime + "/U") ? startTime : "0", lattice)),
+      velocity(readGivenVelocity(theCase, carrierFolder(theCase, startTime), lattice)),
       file(readScalarFile(theCase, startTime, lattice)),
       boundary(readScalarBoundary(theCase, file.T, lattice))
 {
@@ -56,9 +62,17 @@ SceneDescription describeTransport(const TransportScene& scene, const ScalarTran
         "laplacian", scene.diffusivity > 0 ? std::string(laplacians().nameOf(settings.laplacian)) : "none");
     description.schemes.emplace_back("viscous", scene.diffusivity > 0 ? "explicit" : "none");
     description.schemes.emplace_back("dealiasing", transport.dealiases() ? "twoThirds" : "none");
+    description.transformsOfLines = true;
     description.transformsPerSubstep =
         scene.lattice.dimensions() * (1 + (transport.convects() ? 1 : 0) + (scene.diffusivity > 0 ? 1 : 0));
     return description;
+}
+
+double transportMemory(const TransportScene& scene)
+{
+    // T, the one before, two rates, what is read, what is written; U and where it comes from; coordinates.
+    const int arrays = 6 + 2 * scene.lattice.dimensions() + (scene.velocity->dependsOnTime() ? 3 : 0);
+    return programMemory + 8.0 * arrays * static_cast<double>(scene.lattice.points());
 }
 
 double startTransport(const Case& theCase, const std::string& time, bool restart, double t, TransportScene& scene,

@@ -8,12 +8,14 @@
 namespace isph
 {
 
+/// The folder that U is read from: the start folder where it has one, else folder 0.
+std::string carrierFolder(const Case& theCase, const std::string& startTime);
+
 /// Everything a case says about a scalar and what carries it, but the values of the scalar. Stays where it is: the
 /// transport refers to its parts.
 struct TransportScene
 {
-    /// Reads constant/, system/schemes and the dictionaries of T and U. U is that of the start folder where it has one,
-    /// else of folder 0.
+    /// Reads constant/, system/schemes and the dictionaries of T and U.
     /// \throws Error(input) for whatever is wrong there.
     TransportScene(const Case& theCase, const std::string& startTime);
 
@@ -27,6 +29,9 @@ struct TransportScene
 
 /// What a scene computes and leaves out, in words.
 SceneDescription describeTransport(const TransportScene& scene, const ScalarTransport& transport);
+
+/// Memory of the solver [bytes], without its functions.
+double transportMemory(const TransportScene& scene);
 
 /// Brings a scalar into the state of a time folder.
 /// \param restart whether the solver wrote the folder: then the values are taken bit by bit

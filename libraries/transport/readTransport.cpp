@@ -177,7 +177,12 @@ FlowSettings readTransportSettings(const Case& theCase, const Lattice& lattice, 
     }
     Fluid fluid;
     fluid.nu = diffusivity;
-    return readFlowSettings(written, {}, lattice, fluid);
+    FlowSettings settings = readFlowSettings(written, {}, lattice, fluid);
+    settings.integratingFactor = false;
+    settings.exactMeanFlow = false;
+    settings.crankNicolson = false;
+    settings.automaticViscous = false;
+    return settings;
 }
 
 std::unique_ptr<const GivenVelocity> readGivenVelocity(const Case& theCase, const std::string& time,

@@ -23,7 +23,7 @@ const Schema& scalarPropertiesSchema();
 /// \throws Error(input) if it is missing or negative.
 double readDiffusivity(const Case& theCase);
 
-/// The choices of system/schemes that transport uses; system/solution is not looked at.
+/// The choices of system/schemes that transport uses, diffusion explicit; system/solution is not looked at.
 /// \throws Error(input) where the scene has no stable step, or the operators are not for it.
 FlowSettings readTransportSettings(const Case& theCase, const Lattice& lattice, double diffusivity);
 

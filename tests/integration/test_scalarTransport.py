@@ -1,4 +1,5 @@
 """scalarTransportFoam: cases that are wrong, restarts in the same bits, what it writes and when it stops."""
+import json
 import os
 import signal
 import tempfile
@@ -177,6 +178,32 @@ class Diverged(ScalarTest):
         self.assertEqual(case.report()["endedBecause"], "diverged")
         self.assertEqual(len(case.times()), 2)
         self.assertNotIn("nan", case.values(case.times()[-1], "T").lower())
+
+
+class Checked(ScalarTest):
+    def test_a_good_case(self):
+        case = self.scalar(DT="0.002", schemes="walls consistent;")
+        before = case.state()
+        check = json.loads(self.succeeds(case, "checkCase", "-json").stdout)
+        self.assertEqual(case.state(), before)
+        self.assertTrue(check["ok"])
+        self.assertEqual(check["transformsPerSubstep"], 6)
+        self.assertEqual(check["schemes"]["viscous"], "explicit")
+        self.assertEqual(check["withoutEffect"][0]["entry"], "walls")
+        self.succeeds(case, "scalarTransportFoam")
+        report = case.report()
+        self.assertEqual(report["active"], check["active"])
+        self.assertEqual(report["leftOut"], check["leftOut"])
+        self.assertEqual(report["transformsPerSubstep"], 6)
+        self.assertAlmostEqual(report["stabilityMargin"]["viscous"], check["stability"]["margin"]["viscous"], delta=0.05)
+
+    def test_all_slips_at_once(self):
+        case = self.scalar(functions="flow { type flowStatistics; }")
+        case.replace("0/T", "type outflow;", "type outfow;")
+        result = case.run("checkCase")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("'outfow' is not a known", result.stderr)
+        self.assertIn("'flowStatistics' is not a known function type of a scalar", result.stderr)
 
 
 class Wrong(ScalarTest):
