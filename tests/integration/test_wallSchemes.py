@@ -154,6 +154,14 @@ class Warnings(Boxes):
         self.assertEqual(self.warnings("continuation { degree 2; }", spline, "(24 24 0)"), [])
         self.assertEqual(self.warnings("continuation { type mirror; }", spline, "(24 24 0)"), [])
 
+    def test_a_preset_at_another_courant_number_than_its_paper(self):
+        case = self.ready_box(intervals="(48 48 0)", deltaT="auto", arrangement="staggered")
+        case.put("0/U", case.text("0/U").replace("uniform (0 0 0)", "uniform (1 0 0)", 1))
+        case.put("system/schemes", "preset paper2021;\n")
+        self.assertIn("write deltaT auto; and maxCo 0.1;", self.report(case)["warnings"][0])
+        case.set("system/controlDict", "maxCo", "0.1")
+        self.assertEqual(self.report(case)["warnings"], [])
+
     def test_extensions_that_are_slow(self):
         found = self.warnings("continuation { extension 30; }", intervals="(48 48 0)")  # 49 + 30 is a prime
         self.assertIn("transforms of 79 points along x, 30 of them new, are slow: an extension of 31 points", found[0])

@@ -126,6 +126,18 @@ void warnOfSteps(const StepForecast& steps, const TimeControl& control, Warnings
                                    0.8 * steps.largestStable));
 }
 
+/// A preset is of system/schemes; the step of its paper is for system/controlDict to keep.
+void warnOfPreset(const Dictionary& schemes, const StepForecast& steps, Warnings& warnings)
+{
+    constexpr double ofPaper2021 = 0.1;
+    const double courant = steps.step * steps.rates.courant;
+    const bool asked = schemes.has("preset") && schemes.word("preset").text == "paper2021";
+    if (!asked || courant <= 1.001 * ofPaper2021) { return; }
+    warnings.push_back(fmt::format("the paper of preset paper2021 ran at Courant number {}, the first step has {:.3g}: "
+                                   "write deltaT auto; and maxCo {}; in system/controlDict",
+                                   ofPaper2021, courant, ofPaper2021));
+}
+
 } // namespace
 
 CaseCheck checkCase(const std::filesystem::path& directory)
@@ -160,6 +172,7 @@ CaseCheck checkCase(const std::filesystem::path& directory)
         warnOfOperators(check.steps->bounds, fluid, !lattice.periodic(), warnings);
         warnOfWallModes(lattice, settings, check.steps->bounds, warnings);
         warnOfSteps(*check.steps, *reading.control, warnings);
+        warnOfPreset(*reading.schemes, *check.steps, warnings);
     }
     catch (const Error& error)
     {
