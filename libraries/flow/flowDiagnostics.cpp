@@ -42,9 +42,10 @@ double lambComponent(const RealField& U, const RealField& omega, double sign, in
 
 } // namespace
 
-FlowDiagnostics::FlowDiagnostics(const Lattice& lattice, double nu)
+FlowDiagnostics::FlowDiagnostics(const Lattice& lattice, double nu, const FlowBoundary* boundary)
     : lattice_(lattice),
       nu_(nu),
+      boundary_(boundary),
       quadrature_(lattice),
       derivatives_(lattice),
       faces_(boundedFaces(lattice)),
@@ -88,13 +89,24 @@ double FlowDiagnostics::integralOfSquares(const RealField& field) const
     return total;
 }
 
+RealField FlowDiagnostics::velocityOn(const LatticeFace& face, const RealField& U) const
+{
+    RealField values = valuesOnFace(face, U);
+    for (int d = 0; boundary_ != nullptr && d < values.components(); ++d)
+    {
+        const Side side = face.outward() > 0 ? Side::high : Side::low;
+        std::ranges::copy(boundary_->ownVelocity(face.direction(), side, d), values[d].begin());
+    }
+    return values;
+}
+
 double FlowDiagnostics::boundaryPower(IncompressibleFlow& flow, const RealField& U, double t) const
 {
     const double sign = lattice_.dimensions() == 2 ? normalSign(lattice_) : 1;
     double power = 0;
     for (const LatticeFace& face : faces_)
     {
-        const RealField UOnFace = valuesOnFace(face, U);
+        const RealField UOnFace = velocityOn(face, U);
         const double speed = largestMagnitudeOfVectors(UOnFace);
         if (speed == 0) { continue; }
         const RealField omega = valuesOnFace(face, vorticity_);

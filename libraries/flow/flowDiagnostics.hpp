@@ -1,5 +1,6 @@
 #pragma once
 
+#include "boundary/FlowBoundary.hpp"
 #include "caseFields/VelocityDerivatives.hpp"
 #include "flow/IncompressibleFlow.hpp"
 #include "lattice/LatticeFace.hpp"
@@ -37,7 +38,9 @@ class FlowDiagnostics
 {
 public:
     /// \param nu kinematic viscosity [m2/s]
-    FlowDiagnostics(const Lattice& lattice, double nu);
+    /// \param boundary which must outlive this, or null: then velocities at the boundary are those of the flow there,
+    ///        and a corner counts for every face that it is on
+    FlowDiagnostics(const Lattice& lattice, double nu, const FlowBoundary* boundary = nullptr);
 
     /// \param force body force at the points, or null
     /// \param t time [s], for the pressure at boundaries that are flowed through
@@ -45,10 +48,12 @@ public:
 
 private:
     double integralOfSquares(const RealField& field) const;
+    RealField velocityOn(const LatticeFace& face, const RealField& U) const;
     double boundaryPower(IncompressibleFlow& flow, const RealField& U, double t) const;
 
     Lattice lattice_;
     double nu_;
+    const FlowBoundary* boundary_;
     Quadrature quadrature_;
     VelocityDerivatives derivatives_;
     std::vector<LatticeFace> faces_; ///< at bounded ends

@@ -29,8 +29,12 @@ std::vector<CsvColumn> columnsOf(int dimensions, bool viscous)
 
 } // namespace
 
-FlowStatisticsFunction::FlowStatisticsFunction(std::filesystem::path file, const Lattice& lattice, const Fluid& fluid)
-    : lattice_(lattice), fluid_(fluid), csv_(std::move(file), columnsOf(lattice.dimensions(), fluid.nu > 0))
+FlowStatisticsFunction::FlowStatisticsFunction(std::filesystem::path file, const Lattice& lattice, const Fluid& fluid,
+                                               const FlowBoundary* boundary)
+    : lattice_(lattice),
+      fluid_(fluid),
+      boundary_(boundary),
+      csv_(std::move(file), columnsOf(lattice.dimensions(), fluid.nu > 0))
 {
     if (fluid.nu > 0) { budget_.emplace(fluid.nu); }
 }
@@ -39,7 +43,7 @@ void FlowStatisticsFunction::execute(const FlowAtTime& now)
 {
     if (!diagnostics_)
     {
-        diagnostics_.emplace(lattice_, fluid_.nu);
+        diagnostics_.emplace(lattice_, fluid_.nu, boundary_);
         if (fluid_.bodyForce) { force_ = RealField(lattice_.dimensions(), lattice_.points()); }
     }
     if (fluid_.bodyForce) { fluid_.bodyForce->evaluate(now.time, force_); }

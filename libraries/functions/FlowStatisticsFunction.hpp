@@ -17,13 +17,16 @@ class FlowStatisticsFunction : public FunctionObject
 {
 public:
     /// \param fluid must outlive this function
-    FlowStatisticsFunction(std::filesystem::path file, const Lattice& lattice, const Fluid& fluid);
+    /// \param boundary of the flow, which must outlive this function too, or null (see FlowDiagnostics)
+    FlowStatisticsFunction(std::filesystem::path file, const Lattice& lattice, const Fluid& fluid,
+                           const FlowBoundary* boundary = nullptr);
 
     void execute(const FlowAtTime& now) override;
 
 private:
     Lattice lattice_;
     const Fluid& fluid_;
+    const FlowBoundary* boundary_;
     CsvOutput csv_;
     std::optional<EnstrophyBudget> budget_;
     std::optional<FlowDiagnostics> diagnostics_; ///< from the first execution on

@@ -26,8 +26,8 @@ constexpr std::array<Selection<const FunctionType*>::Variant, 8> table{{
     {"probes", "probes.csv: values at points over time", &probesType},
     {"fieldAverage", "time means and second moments of fields, restartable", &fieldAverageType},
     {"timing", "timing.csv: seconds by phase, and steps", &timingType},
-    {"wallProfile", "vorticity, shear stress and pressure along a wall; not in a box without walls", &wallProfileType},
-    {"forces", "force and moment on walls; not in a box without walls", &forcesType},
+    {"wallProfile", "<patch>.csv at times: vorticity, shear stress and pressure along walls", &wallProfileType},
+    {"forces", "forces.csv: pressure and viscous force and moment on patches", &forcesType},
 }};
 static_assert(distinct(table));
 

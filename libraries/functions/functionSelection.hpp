@@ -14,6 +14,8 @@
 namespace isph
 {
 
+class FlowBoundary;
+
 /// What functions are made from, besides their dictionaries. Everything must outlive them.
 struct FunctionSurroundings
 {
@@ -24,6 +26,8 @@ struct FunctionSurroundings
     double pressureScale;     ///< what kinematic pressure is multiplied by for output: 1, or rho where 0/p is in Pa
     std::string pressureUnit; ///< "m2/s2" or "Pa"
     bool pressureFixed;       ///< somewhere on the boundary: then errors of p are taken as they are, else without means
+
+    const FlowBoundary* boundary = nullptr; ///< of the flow, where there is one, at the time it has come to
 
     /// -postProcess: a table that a run wrote is kept, the new one goes beside it as <name>_postProcess.csv.
     bool besideRun = false;

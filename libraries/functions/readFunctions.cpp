@@ -6,8 +6,6 @@
 #include "functions/TimingFunction.hpp"
 #include "sampling/readSampleSet.hpp"
 
-#include <algorithm>
-
 namespace isph
 {
 
@@ -20,7 +18,7 @@ std::unique_ptr<FunctionObject> makeFlowStatistics(const std::string& name, cons
                                                    const FunctionSurroundings& surroundings)
 {
     return std::make_unique<FlowStatisticsFunction>(outputFile(name, "flow.csv", surroundings), surroundings.lattice,
-                                                    surroundings.fluid);
+                                                    surroundings.fluid, surroundings.boundary);
 }
 
 std::unique_ptr<FunctionObject> makeSampleLines(const std::string& name, const Dictionary&,
@@ -38,31 +36,11 @@ std::unique_ptr<FunctionObject> makeTiming(const std::string& name, const Dictio
     return std::make_unique<TimingFunction>(outputFile(name, "timing.csv", surroundings));
 }
 
-std::vector<Key> wallKeys()
-{
-    using enum Key::Type;
-    return {{.name = "patches", .type = list, .meaning = "wall patches", .required = true}};
-}
-
-/// Functions on walls: every flow that can be solved lies in a periodic box so far.
-std::unique_ptr<FunctionObject> refuseWalls(const std::string&, const Dictionary& dictionary,
-                                            const FunctionSurroundings& surroundings)
-{
-    const bool walls = std::ranges::any_of(surroundings.lattice.patches(),
-                                           [](const Patch& patch) { return patch.type == Patch::Type::wall; });
-    throw dictionary.error("type",
-                           walls ? "needs a flow solved with walls, which there is not yet"
-                                 : "looks at walls, but the box has no wall patch",
-                           "take the function out, or set enabled no;");
-}
-
 } // namespace
 
 const FunctionType flowStatisticsType{noKeys, makeFlowStatistics};
 const FunctionType sampleLinesType{noKeys, makeSampleLines};
 const FunctionType timingType{noKeys, makeTiming};
-const FunctionType wallProfileType{wallKeys, refuseWalls};
-const FunctionType forcesType{wallKeys, refuseWalls};
 
 std::filesystem::path outputFile(const std::string& name, const std::string& file,
                                  const FunctionSurroundings& surroundings)

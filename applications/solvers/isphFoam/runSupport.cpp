@@ -20,6 +20,7 @@ Functions readFunctions(const CommandLine& line, const Case& flowCase, const Sce
                                                            .pressureScale = scene.files.pressureScale,
                                                            .pressureUnit = scene.files.pressureUnit,
                                                            .pressureFixed = scene.boundary.fixesPressure(),
+                                                           .boundary = &scene.boundary,
                                                            .besideRun = line.has("postProcess")});
 }
 

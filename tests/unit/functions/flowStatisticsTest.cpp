@@ -192,6 +192,46 @@ TEST(FlowStatistics, TakeThePowerOfMovingWallsOutOfTheBudget)
               1e-4);
 }
 
+/// A lid that slides, or any velocity that is the same everywhere.
+class Sliding : public FaceFunction
+{
+public:
+    void evaluate(int component, std::span<const double>, std::span<const double>, std::span<const double>, double,
+                  std::span<double> values) const override
+    {
+        std::ranges::fill(values, component == 0 ? 1.0 : 0.0);
+    }
+    bool dependsOnTime() const override { return false; }
+};
+
+// The lid's corners move, but they are no flow through the walls beside them.
+TEST(FlowStatistics, LetCornersBelongToTheLid)
+{
+    const Lattice lattice({walls('x', 0, 1, 16), walls('y', 0, 1, 16), Axis{'z'}}, {});
+    std::array<std::array<FaceCondition, 2>, 3> faces;
+    for (std::size_t d = 0; d < 2; ++d)
+    {
+        for (FaceCondition& face : faces[d])
+        {
+            face.velocity = VelocityCondition::value;
+            face.pressure = PressureCondition::zeroGradient;
+        }
+    }
+    faces[1][1].U = std::make_unique<Sliding>();
+    FlowBoundary boundary(lattice, std::move(faces));
+    boundary.update(0);
+
+    GivenFlow flow(lattice);
+    fill(flow.U, 0, lattice, [](double, double y, double) { return y * y; });
+    boundary.impose(flow.U);
+    fill(flow.p, 0, lattice, [](double x, double, double) { return 1000 * x; });
+    constexpr double nu = 0.5;
+    const double power = FlowDiagnostics(lattice, nu, &boundary).evaluate(flow, nullptr, 0).boundaryPower;
+    flow.p = RealField(1, lattice.points());
+    EXPECT_EQ(FlowDiagnostics(lattice, nu, &boundary).evaluate(flow, nullptr, 0).boundaryPower, power);
+    EXPECT_GT(power, 0);
+}
+
 // A piece of the decaying vortices of Taylor and Green: the boundary is flowed through, and the pressure does work.
 TEST(FlowStatistics, TakeThePowerOfOpenBoundariesOutOfTheBudget)
 {

@@ -243,6 +243,29 @@ TEST_F(FunctionsTest, OnWallsNeedWalls)
     }
 }
 
+TEST_F(FunctionsTest, OnWallsNameTheirPatches)
+{
+    lattice = Lattice({Axis{'x', 0, 1, 8}, Axis{'y', 0, 1, 9, Axis::Ends::bounded}, Axis{'z'}},
+                      {{"sides", Patch::Type::periodic, {"xMin", "xMax"}},
+                       {"floor", Patch::Type::wall, {"yMin"}},
+                       {"lid", Patch::Type::wall, {"yMax"}}});
+    EXPECT_EQ(errorOf("a { type forces; }"),
+              "system/controlDict:2: functions.a.patches: is missing\n    write e.g. patches (floor);");
+    EXPECT_EQ(errorOf("a { type forces; patch lid; patches (floor); }"),
+              "system/controlDict:2: functions.a.patches: is there besides patch\n    write e.g. patches (floor);");
+    EXPECT_EQ(errorOf("a { type wallProfile; patches (floor sides); }"),
+              "system/controlDict:2: functions.a.patches: 'sides' is not a known patch\n    known are: floor, lid");
+    EXPECT_EQ(errorOf("a { type wallProfile; patches (); }"),
+              "system/controlDict:2: functions.a.patches: names no patch\n    write e.g. patches (floor);");
+
+    flow = GivenFlow(lattice);
+    Functions functions = functionsOf("pull { type forces; patches (floor lid); }"
+                                      "profile { type wallProfile; patch floor; writeControl timeStep; }");
+    runStep(functions, 0);
+    EXPECT_EQ(linesOf(output("pull/0/forces.csv"))[0].substr(0, 36), "time [s],step,pressureForce.x [N/m],");
+    EXPECT_TRUE(std::filesystem::exists(output("profile/0/floor.csv")));
+}
+
 TEST_F(FunctionsTest, AreListed)
 {
     std::vector<std::string> names;
