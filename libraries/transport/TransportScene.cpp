@@ -1,5 +1,6 @@
 #include "transport/TransportScene.hpp"
 
+#include "case/TimeDirectories.hpp"
 #include "caseFields/FieldsOfTime.hpp"
 #include "core/Error.hpp"
 #include "lattice/memoryEstimate.hpp"
@@ -11,19 +12,32 @@
 namespace isph
 {
 
-std::string carrierFolder(const Case& theCase, const std::string& startTime)
+namespace
 {
-    return theCase.has(startTime + "/U") ? startTime : "0";
+
+/// Folders of a flow would be replaced by those of the scalar.
+void requireNoFlow(const Case& theCase)
+{
+    for (const TimeDirectory& time : timeDirectories(theCase.directory()))
+    {
+        if (time.name == carrierFolder || !theCase.has(time.name + "/U")) { continue; }
+        throw Error(Fault::input, {time.name + "/U", 0, ""},
+                    "is the velocity of a flow that was solved here, and its times would be replaced",
+                    "copy the case with cloneCase, and the velocity into its folder 0");
+    }
 }
+
+} // namespace
 
 TransportScene::TransportScene(const Case& theCase, const std::string& startTime)
     : lattice(readLattice(theCase.dictionary("constant/lattice"))),
       diffusivity(readDiffusivity(theCase)),
       settings(readTransportSettings(theCase, lattice, diffusivity)),
-      velocity(readGivenVelocity(theCase, carrierFolder(theCase, startTime), lattice)),
+      velocity(readGivenVelocity(theCase, carrierFolder, lattice)),
       file(readScalarFile(theCase, startTime, lattice)),
       boundary(readScalarBoundary(theCase, file.T, lattice))
 {
+    requireNoFlow(theCase);
 }
 
 SceneDescription describeTransport(const TransportScene& scene, const ScalarTransport& transport)
@@ -97,7 +111,7 @@ double startTransport(const Case& theCase, const std::string& time, bool restart
                         "prescribe what enters: type fixedValue; value uniform 0;");
         }
     }
-    const double dropped = restart ? 0 : transport.prepare(values, t);
+    const double dropped = restart && scene.file.stored ? 0 : transport.prepare(values, t);
     transport.start(values, t);
     return dropped;
 }

@@ -8,8 +8,8 @@
 namespace isph
 {
 
-/// The folder that U is read from: the start folder where it has one, else folder 0.
-std::string carrierFolder(const Case& theCase, const std::string& startTime);
+/// The folder that U is read from, whatever time a run starts from.
+inline constexpr const char* carrierFolder = "0";
 
 /// Everything a case says about a scalar and what carries it, but the values of the scalar. Stays where it is: the
 /// transport refers to its parts.
@@ -34,7 +34,7 @@ SceneDescription describeTransport(const TransportScene& scene, const ScalarTran
 double transportMemory(const TransportScene& scene);
 
 /// Brings a scalar into the state of a time folder.
-/// \param restart whether the solver wrote the folder: then the values are taken bit by bit
+/// \param restart whether the solver wrote the folder: then stored values are taken bit by bit
 /// \return the part of its norm that dealiasing dropped
 /// \throws Error(input) where what enters the box is not prescribed.
 double startTransport(const Case& theCase, const std::string& time, bool restart, double t, TransportScene& scene,

@@ -76,6 +76,13 @@ private:
     SpaceTimeFunction function_;
 };
 
+/// Whether the values of a field are in fields.h5.
+bool isStored(const Dictionary& field)
+{
+    const std::vector<Token>& tokens = field.find("internalField")->tokens();
+    return !tokens.empty() && tokens[0].text == "hdf5";
+}
+
 const Schema& conditionSchema()
 {
     using Type = Key::Type;
@@ -190,11 +197,7 @@ std::unique_ptr<const GivenVelocity> readGivenVelocity(const Case& theCase, cons
 {
     const Dictionary U = readVelocityFile(theCase, time, lattice);
     RealField values = FieldsOfTime(theCase, time).read("U", lattice);
-    const Entry* field = U.find("internalField");
-    if (field->tokens().empty() || field->tokens()[0].text == "hdf5")
-    {
-        return std::make_unique<StoredVelocity>(std::move(values));
-    }
+    if (isStored(U)) { return std::make_unique<StoredVelocity>(std::move(values)); }
     SpaceTimeFunction function = readFunction(U, "internalField", 3, fluidConstants(theCase), theCase.directory());
     if (!function.dependsOnTime()) { return std::make_unique<StoredVelocity>(std::move(values)); }
     return std::make_unique<FunctionVelocity>(std::move(function), lattice);
@@ -204,6 +207,7 @@ ScalarFile readScalarFile(const Case& theCase, const std::string& time, const La
 {
     ScalarFile file{readFieldFile(theCase, time, "T", lattice), ""};
     file.unit = unitOf(file.T.dimensions("dimensions"));
+    file.stored = isStored(file.T);
     return file;
 }
 

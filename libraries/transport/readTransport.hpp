@@ -36,7 +36,8 @@ std::unique_ptr<const GivenVelocity> readGivenVelocity(const Case& theCase, cons
 struct ScalarFile
 {
     Dictionary T;
-    std::string unit; ///< by its dimensions
+    std::string unit;    ///< by its dimensions
+    bool stored = false; ///< values come from fields.h5, not from a function
 };
 ScalarFile readScalarFile(const Case& theCase, const std::string& time, const Lattice& lattice);
 

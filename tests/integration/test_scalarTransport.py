@@ -151,6 +151,14 @@ class Restart(ScalarTest):
                 self.assertEqual(parts.times(), whole.times())
                 self.assertEqual(parts.values("0.3", "T"), whole.values("0.3", "T"))
 
+    def test_a_written_time_with_new_values(self):
+        case = self.scalar(endTime=0.1)
+        self.succeeds(case, "scalarTransportFoam")
+        case.replace("0.1/T", 'hdf5 "fields.h5"', "uniform 0")
+        case.replace("system/controlDict", "endTime 0.1;", "endTime 0.2;")
+        self.succeeds(case, "scalarTransportFoam")
+        self.assertGreater(float(case.table("errors", "0.1")[0]["Linf(T)"]), 0.9)
+
     def test_after_a_signal(self):
         settings = dict(intervals=64, endTime=2, writeInterval="0.02")
         whole = self.scalar(**settings)
@@ -251,6 +259,12 @@ class Wrong(ScalarTest):
         result = case.run("scalarTransportFoam")
         self.assertEqual(result.returncode, 1)
         self.assertIn("outflow", result.stderr)
+
+    def test_a_case_of_a_flow(self):
+        case = self.scalar(endTime=0.1)
+        self.succeeds(case, "scalarTransportFoam")
+        case.put("0.1/U", case.text("0/U"))
+        self.refuses(case, "0.1/U", None, "is the velocity of a flow that was solved here")
 
     def test_missing_files(self):
         for file in ("0/T", "0/U", "constant/transportProperties", "system/schemes"):

@@ -322,7 +322,7 @@ void Reader::readScalarFields()
             unit = T.unit;
             readScalarBoundary(theCase(), T.T, lattice).update(reading_.start->state.time);
         });
-    attempt([&] { readGivenVelocity(theCase(), carrierFolder(theCase(), time), lattice); });
+    attempt([&] { readGivenVelocity(theCase(), carrierFolder, lattice); });
     attempt([&] { readScalarFunctions(theCase(), lattice, time, unit); });
     if (!reading_.settings || reading_.slips.size() > slips) { return; }
 
