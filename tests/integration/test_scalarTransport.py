@@ -1,6 +1,7 @@
 """scalarTransportFoam: cases that are wrong, restarts in the same bits, what it writes and when it stops."""
 import json
 import os
+import shutil
 import signal
 import tempfile
 
@@ -135,6 +136,29 @@ class Runs(ScalarTest):
         case.replace("system/controlDict", "startFrom latestTime;", "startFrom startTime;")
         self.succeeds(case, "scalarTransportFoam")
         self.assertEqual(case.values("0.2", "T"), before)
+
+
+class OnAFlow(CaseTest):
+    """A scalar in a periodic box, carried by what isphFoam has computed."""
+
+    def test_velocity_from_fields_h5(self):
+        flow = self.ready_case()
+        self.succeeds(flow, "isphFoam")
+        case = self.ready_case(endTime=0.1, deltaT="auto", functions="", writeControl="adjustableRunTime", writeInterval="0.05",
+                               control="application scalarTransportFoam;")
+        for name in ("U", "fields.h5"):
+            shutil.copy(flow.path("0.2", name), case.path("0", name))
+        os.remove(case.path("0/p"))
+        case.put("constant/transportProperties", "DT 0.001;\n")
+        case.put("0/T", header("T", "latticeScalarField") + """dimensions [0 0 0 0 0 0 0];
+internalField expression "1 + sin(2*pi*x)*cos(2*pi*y)";
+boundaryField { "[xy]Sides" { type periodic; } }
+""")
+        self.succeeds(case, "checkCase")
+        log = self.succeeds(case, "scalarTransportFoam", "-verbose").stdout
+        self.assertIn("dealiasing: two thirds of periodic axes", log)
+        self.assertEqual(case.report()["lattice"]["axes"], ["periodic", "periodic"])
+        self.assertNotEqual(case.values("0.1", "T"), case.values("0.05", "T"))
 
 
 class Restart(ScalarTest):
