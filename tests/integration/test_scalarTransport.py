@@ -144,8 +144,8 @@ class OnAFlow(CaseTest):
     def test_velocity_from_fields_h5(self):
         flow = self.ready_case()
         self.succeeds(flow, "isphFoam")
-        case = self.ready_case(endTime=0.1, deltaT="auto", functions="", writeControl="adjustableRunTime", writeInterval="0.05",
-                               control="application scalarTransportFoam;")
+        case = self.ready_case(endTime=0.1, deltaT="auto", functions="", writeControl="adjustableRunTime",
+                               writeInterval="0.05", control="application scalarTransportFoam;")
         for name in ("U", "fields.h5"):
             shutil.copy(flow.path("0.2", name), case.path("0", name))
         os.remove(case.path("0/p"))
@@ -227,7 +227,8 @@ class Checked(ScalarTest):
         self.assertEqual(report["active"], check["active"])
         self.assertEqual(report["leftOut"], check["leftOut"])
         self.assertEqual(report["transformsPerSubstep"], 6)
-        self.assertAlmostEqual(report["stabilityMargin"]["viscous"], check["stability"]["margin"]["viscous"], delta=0.05)
+        self.assertAlmostEqual(report["stabilityMargin"]["viscous"], check["stability"]["margin"]["viscous"],
+                               delta=0.05)
 
     def test_all_slips_at_once(self):
         case = self.scalar(functions="flow { type flowStatistics; }")
