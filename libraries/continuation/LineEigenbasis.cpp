@@ -27,22 +27,30 @@ constexpr std::size_t largestBatch = 4 * lineGroup;
 
 std::size_t roundedUp(std::size_t n, std::size_t unit) { return (n + unit - 1) / unit * unit; }
 
-/// Both derivatives along a line as matrices.
+/// Both derivatives along a line as matrices, of its values and of the data that the continuation takes.
 struct Derivatives
 {
     RowMajor first;
     RowMajor second;
+    Matrix firstOfData;
+    Matrix secondOfData;
 };
 
-Derivatives matricesOf(const LineContinuation& continuation, const LineSymbol& symbol)
+Derivatives matricesOf(const LineContinuation& continuation, const LineSymbol& symbol, double dataScale)
 {
     const Index n = continuation.points();
-    const auto size = static_cast<std::size_t>(n * n);
-    ContinuedDerivative derivative(
-        ContinuedTransform({static_cast<std::size_t>(n), static_cast<std::size_t>(n), 1}, continuation), symbol);
+    const auto points = static_cast<std::size_t>(n);
     const RowMajor unit = RowMajor::Identity(n, n);
-    Derivatives matrices{RowMajor(n, n), RowMajor(n, n)};
-    derivative({unit.data(), size}, {matrices.first.data(), size}, {matrices.second.data(), size});
+    Derivatives matrices{RowMajor(n, n), RowMajor(n, n), Matrix(n, 2), Matrix(n, 2)};
+    ContinuedDerivative ofValues(ContinuedTransform({points, points, 1}, continuation), symbol);
+    ofValues({unit.data(), points * points}, {matrices.first.data(), points * points},
+             {matrices.second.data(), points * points});
+
+    ContinuedDerivative ofData(ContinuedTransform({1, points, 2}, continuation, dataScale), symbol);
+    const std::vector<double> zeros(2 * points, 0.0);
+    const std::array<double, 2> low{1, 0};
+    const std::array<double, 2> high{0, 1};
+    ofData(zeros, {matrices.firstOfData.data(), 2 * points}, {matrices.secondOfData.data(), 2 * points}, {low, high});
     return matrices;
 }
 
@@ -150,7 +158,7 @@ auto productOfRows() { return __builtin_cpu_supports("fma") ? multiplyByFour : m
 auto productOfRows() { return multiplyByTwo; }
 #endif
 
-/// A second derivative with its ends eliminated: D2 u + response data; the ends are unit data - rows u.
+/// A second derivative with its ends eliminated: matrix u + response data; the ends are unit data - rows u.
 struct ClosedLine
 {
     Matrix matrix;
@@ -159,26 +167,34 @@ struct ClosedLine
     Matrix rows;
 };
 
-/// With C u_ends + R u = data at the ends that are not free.
-ClosedLine closedLine(const Derivatives& derivatives, Index first, Index count, const std::vector<Index>& ends,
-                      const std::vector<LineEnd>& conditions)
+/// With C u_ends + R u = G data at the points of ends that are not free; data are of the low and the high end.
+ClosedLine closedLine(const Derivatives& derivatives, Index first, Index count, const std::vector<Index>& points,
+                      const std::array<LineEnd, 2>& conditions)
 {
-    const auto e = static_cast<Index>(ends.size());
+    const auto e = static_cast<Index>(points.size());
     Matrix C = Matrix::Identity(e, e);
     Matrix R = Matrix::Zero(e, count);
+    Matrix G = Matrix::Zero(e, 2);
     Matrix fromEnds(count, e);
+    ClosedLine line;
+    line.response = derivatives.secondOfData.middleRows(first, count);
     for (Index i = 0; i < e; ++i)
     {
-        const Index point = ends[static_cast<std::size_t>(i)];
+        const Index point = points[static_cast<std::size_t>(i)];
+        const Index side = point == 0 ? 0 : 1;
         fromEnds.col(i) = derivatives.second.col(point).segment(first, count);
-        if (conditions[static_cast<std::size_t>(i)] != LineEnd::slope) { continue; }
-        for (Index j = 0; j < e; ++j) { C(i, j) = derivatives.first(point, ends[static_cast<std::size_t>(j)]); }
-        R.row(i) = derivatives.first.row(point).segment(first, count);
+        if (conditions[static_cast<std::size_t>(side)] == LineEnd::slope)
+        {
+            for (Index j = 0; j < e; ++j) { C(i, j) = derivatives.first(point, points[static_cast<std::size_t>(j)]); }
+            R.row(i) = derivatives.first.row(point).segment(first, count);
+            G.row(i) = -derivatives.firstOfData.row(point);
+        }
+        G(i, side) = 1;
+        line.response.col(side).setZero();
     }
-    ClosedLine line;
-    line.unit = C.inverse();
-    line.rows = line.unit * R;
-    line.response = fromEnds * line.unit;
+    line.unit = C.inverse() * G;
+    line.rows = C.inverse() * R;
+    line.response += fromEnds * line.unit;
     line.matrix = derivatives.second.block(first, first, count, count) - fromEnds * line.rows;
     return line;
 }
@@ -201,7 +217,7 @@ std::vector<Matrix> evenAndOdd(const Matrix& matrix)
 } // namespace
 
 LineEigenbasis::LineEigenbasis(const LineLayout& layout, const LineContinuation& continuation, const LineSymbol& symbol,
-                               LineEnd low, LineEnd high)
+                               LineEnd low, LineEnd high, double dataScale)
     : layout_(layout),
       first_(low == LineEnd::free ? 0 : 1),
       count_(layout.count - first_ - (high == LineEnd::free ? 0 : 1))
@@ -213,27 +229,21 @@ LineEigenbasis::LineEigenbasis(const LineLayout& layout, const LineContinuation&
                     "give it at least three");
     }
     std::vector<Index> points;
-    std::vector<LineEnd> conditions;
-    const auto addEnd = [&](LineEnd end, std::size_t point, std::size_t side)
-    {
-        if (end == LineEnd::free) { return; }
-        points.push_back(static_cast<Index>(point));
-        conditions.push_back(end);
-        ends_.push_back({.point = point, .side = side});
-    };
-    addEnd(low, 0, 0);
-    addEnd(high, layout.count - 1, 1);
-    const ClosedLine line = closedLine(matricesOf(continuation, symbol), static_cast<Index>(first_),
-                                       static_cast<Index>(count_), points, conditions);
-    for (std::size_t i = 0; i < ends_.size(); ++i)
+    if (low != LineEnd::free) { points.push_back(0); }
+    if (high != LineEnd::free) { points.push_back(static_cast<Index>(layout.count - 1)); }
+    const ClosedLine line = closedLine(matricesOf(continuation, symbol, dataScale), static_cast<Index>(first_),
+                                       static_cast<Index>(count_), points, {low, high});
+    for (std::size_t i = 0; i < points.size(); ++i)
     {
         const auto at = static_cast<Index>(i);
-        for (std::size_t j = 0; j < ends_.size(); ++j)
-        {
-            ends_[i].unit[ends_[j].side] = line.unit(at, static_cast<Index>(j));
-        }
-        if (!line.rows.row(at).isZero(0)) { ends_[i].row.assign(line.rows.row(at).begin(), line.rows.row(at).end()); }
-        ends_[i].response.assign(line.response.col(at).begin(), line.response.col(at).end());
+        FixedEnd end{.point = static_cast<std::size_t>(points[i]), .unit = {line.unit(at, 0), line.unit(at, 1)}};
+        if (!line.rows.row(at).isZero(0)) { end.row.assign(line.rows.row(at).begin(), line.rows.row(at).end()); }
+        ends_.push_back(std::move(end));
+    }
+    for (Index side = 0; side < 2; ++side)
+    {
+        const auto column = line.response.col(side);
+        if (!column.isZero(0)) { response_[static_cast<std::size_t>(side)].assign(column.begin(), column.end()); }
     }
 
     // Where values are given, the row beside them misses a good part of its largest entry.
@@ -362,17 +372,18 @@ void LineEigenbasis::backward(std::span<double> values)
 void LineEigenbasis::addData(double factor, std::span<const double> low, std::span<const double> high,
                              std::span<double> values) const
 {
-    for (const FixedEnd& end : ends_)
+    for (const std::size_t side : {0, 1})
     {
-        const std::span<const double> data = end.side == 0 ? low : high;
-        if (data.empty()) { continue; }
+        const std::span<const double> data = side == 0 ? low : high;
+        const AlignedVector<double>& response = response_[side];
+        if (data.empty() || response.empty()) { continue; }
         for (std::size_t o = 0; o < layout_.outer; ++o)
         {
             const double* datum = data.data() + o * layout_.inner;
             for (std::size_t i = 0; i < count_; ++i)
             {
                 double* row = values.data() + (o * layout_.count + first_ + i) * layout_.inner;
-                const double scale = factor * end.response[i];
+                const double scale = factor * response[i];
                 for (std::size_t l = 0; l < layout_.inner; ++l) { row[l] += scale * datum[l]; }
             }
         }

@@ -24,18 +24,19 @@ enum class LineEnd
 /// multiplication, and (alpha - beta D2) u = f a division.
 ///
 /// D2 is the derivative of ContinuedDerivative as a matrix; with both ends alike it falls into one for even and one for
-/// odd values, which halves the products. Data are those of each line, along the axis: values, or slopes [1/m] (not
-/// outward ones); empty spans stand for zeros. Making a basis takes some ten count^3 operations; applying it to a field
-/// 4 count (ends alike: 2) a point and no memory.
+/// odd values, which halves the products. Data are those of each line: values; slopes along the axis [1/m] (not outward
+/// ones); at free ends what the continuation takes (EndData). Empty spans stand for zeros. Making a basis takes some
+/// ten count^3 operations; applying it to a field 4 count (ends alike: 2) a point and no memory.
 class LineEigenbasis
 {
 public:
     /// \param layout of the lines in a field, all their points
     /// \param symbol of a kernel on the extended lines
+    /// \param dataScale of the data at free ends, as ContinuedTransform has it
     /// \throws Error(input) without origin if the matrix has complex, positive or defective eigenvalues, or if no point
     /// is unknown
     LineEigenbasis(const LineLayout& layout, const LineContinuation& continuation, const LineSymbol& symbol,
-                   LineEnd low, LineEnd high);
+                   LineEnd low, LineEnd high, double dataScale = 1);
 
     std::size_t first() const { return first_; } ///< first unknown point of a line; modes are stored from there on
     std::size_t count() const { return count_; } ///< unknown points
@@ -69,10 +70,8 @@ private:
     struct FixedEnd
     {
         std::size_t point;
-        std::size_t side; ///< 0 low, 1 high
         std::array<double, 2> unit{};
-        AlignedVector<double> row{};      ///< empty: zeros
-        AlignedVector<double> response{}; ///< at the unknown points, the second derivative of a unit datum
+        AlignedVector<double> row{}; ///< empty: zeros
     };
 
     std::size_t rowOf(std::size_t i) const;
@@ -87,6 +86,7 @@ private:
     bool constantMode_ = false;
     double condition_ = 0;
     std::vector<FixedEnd> ends_;
+    std::array<AlignedVector<double>, 2> response_; ///< second derivative of a unit datum at the low and high end
     std::vector<double> eigenvalues_;
     std::vector<Block> blocks_; ///< one, or even and odd
     std::size_t panelSize_;     ///< values of a group of lines

@@ -92,12 +92,12 @@ ContinuedHelmholtz::ContinuedHelmholtz(const Lattice& lattice, const std::vector
         Direction direction{d, linesAlong(lattice, lattice.direction(a)), {}, {}, axis.low, axis.high};
         if (axis.continuation)
         {
-            const LineEigenbasis& basis =
-                direction.basis.emplace(direction.layout, *axis.continuation, axis.symbol, axis.low, axis.high);
+            const LineEigenbasis& basis = direction.basis.emplace(direction.layout, *axis.continuation, axis.symbol,
+                                                                  axis.low, axis.high, axis.dataScale);
             first_[d] = basis.first();
             end_[d] = basis.first() + basis.count();
             std::ranges::copy(basis.eigenvalues(), std::span(eigenvalues_[d]).subspan(first_[d]).begin());
-            weights_[d].front() = weights_[d].back() = 0.5;
+            if (!lattice.activeAxis(a).staggered) { weights_[d].front() = weights_[d].back() = 0.5; }
             constantMode_ = constantMode_ && basis.constantMode();
         }
         else

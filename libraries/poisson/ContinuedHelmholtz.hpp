@@ -18,6 +18,7 @@ struct ContinuedAxis
     LineSymbol symbol{};                                         ///< on the extended lines
     LineEnd low = LineEnd::value;
     LineEnd high = LineEnd::value;
+    double dataScale = 1; ///< of the data at free ends, which are those of the continuation
 };
 
 /// The axes of a lattice as ContinuedOperators differentiates along them: neumann ends are slopes, dirichlet ends

@@ -44,8 +44,8 @@ struct Problem
         : layout{inner, static_cast<std::size_t>(n), outer},
           line(SmoothGram(automaticNewPoints(n), degree), n, low.condition(), high.condition()),
           symbol(lineSymbol(kernel, line.extendedPoints(), 1.0 / (n - 1))),
-          basis(layout, line, symbol, low.end, high.end),
-          derivative(ContinuedTransform(layout, line), symbol)
+          basis(layout, line, symbol, low.end, high.end, 1.0 / (n - 1)),
+          derivative(ContinuedTransform(layout, line, 1.0 / (n - 1)), symbol)
     {
     }
 
@@ -155,7 +155,10 @@ TEST(LineEigenbasis, IsTheSecondDerivativeOfContinuedLines)
                 basis.fillEnds(lowData, highData, values);
                 AlignedVector<double> first(values.size());
                 AlignedVector<double> second(values.size());
-                problem.derivative(values, first, second);
+                EndData data;
+                if (low.level) { data.lower = lowData; }
+                if (high.level) { data.upper = highData; }
+                problem.derivative(values, first, second, data);
 
                 AlignedVector<double> own = values;
                 basis.forward(own);
