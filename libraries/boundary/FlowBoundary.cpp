@@ -283,6 +283,19 @@ void FlowBoundary::impose(RealField& U) const
     }
 }
 
+void FlowBoundary::imposeNormal(RealField& U) const
+{
+    for (int d = 0; d < lattice_.dimensions(); ++d)
+    {
+        for (const Face& face : faces_[at(lattice_.direction(d))])
+        {
+            if (!face.onPoints) { continue; }
+            const std::vector<double>& values = face.velocity[at(d)];
+            for (std::size_t i = 0; i < values.size(); ++i) { U[d][face.points[i]] = values[i]; }
+        }
+    }
+}
+
 FlowBoundary::Flux FlowBoundary::flux(Quadrature quadrature) const
 {
     Flux flux;

@@ -105,6 +105,9 @@ public:
     /// Overwrites the velocity at the points that lie on faces with what they prescribe. Nothing on staggered axes.
     void impose(RealField& U) const;
 
+    /// The same for what they prescribe along their own axes alone: nothing flows through walls, along them it slips.
+    void imposeNormal(RealField& U) const;
+
     /// Volume (in 2-D: area) that flows in through the faces that prescribe it, and out, per second.
     struct Flux
     {

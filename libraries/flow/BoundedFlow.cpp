@@ -158,7 +158,7 @@ StartReport BoundedFlow::start(const RealField& velocity, bool project)
         subtractPrescribed(1);
         solvePressure(velocity_, 1, false, phi_);
         subtractGradient(1, phi_, velocity_);
-        boundary_.impose(velocity_);
+        boundary_.imposeNormal(velocity_);
         double norm = 0;
         for (int c = 0; c < dimensions_; ++c)
         {
@@ -168,7 +168,6 @@ StartReport BoundedFlow::start(const RealField& velocity, bool project)
         }
         report.projected = norm > 0 ? std::sqrt(report.projected / norm) : 0;
     }
-    boundary_.impose(velocity_);
     transforms_ = 0;
     return report;
 }

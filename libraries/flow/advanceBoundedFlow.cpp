@@ -181,6 +181,8 @@ void BoundedFlow::advance(const Substep& substep, double t, double dt)
     if (substep.first) { copy(velocity_, before_); }
     lastStep_ = dt;
     boundary_.update(t + substep.start * dt);
+    // What slips along walls after the projection of the start does so no longer.
+    if (substep.first) { boundary_.impose(velocity_); }
     evaluateRate(t + substep.start * dt);
     {
         const auto scope = timings_.scope(Phase::pointwise);
