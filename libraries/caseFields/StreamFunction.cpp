@@ -38,6 +38,17 @@ struct FacePair
         return values;
     }
 
+    /// The velocity through the faces.
+    std::array<std::vector<double>, 2> flowThrough(std::span<const double> normalVelocity) const
+    {
+        std::array<std::vector<double>, 2> flow = valuesOf(normalVelocity);
+        for (std::size_t side = 0; side < 2; ++side)
+        {
+            if (!flowsThrough(faces[side], normalVelocity)) { std::ranges::fill(flow[side], 0.0); }
+        }
+        return flow;
+    }
+
     std::array<LatticeFace, 2> faces;
 };
 
@@ -129,7 +140,7 @@ private:
         for (int d = 0; d < 2; ++d)
         {
             SideValues& outflow = psi[at(d)];
-            outflow = faces[at(d)].valuesOf(U_[d]);
+            outflow = faces[at(d)].flowThrough(U_[d]);
             for (double& value : outflow[0]) { value = -value; }
             for (const std::vector<double>& ofSide : outflow)
             {
@@ -169,9 +180,14 @@ private:
         RealField slope(1, U_.size());
         for (int d = 0; d < 2; ++d)
         {
-            derivatives_.derivative(1 - d, U_[d], slope[0]);
+            derivatives_.derivative(U_, d, 1 - d, slope[0]);
             for (double& value : slope[0]) { value *= slopeSign(1 - d); }
             curvature[at(d)] = faces[at(d)].valuesOf(slope[0]);
+            for (std::size_t side = 0; side < 2; ++side)
+            {
+                if (flowsThrough(faces[at(d)].faces[side], U_[d])) { continue; }
+                std::ranges::fill(curvature[at(d)][side], 0.0);
+            }
         }
 
         const Axis& a = lattice_.activeAxis(0);
@@ -189,6 +205,15 @@ private:
                               x * y * psi[0][1].back();
                 source[0][n] -= (1 - x) * curvature[0][0][j] + x * curvature[0][1][j] + (1 - y) * curvature[1][0][i] +
                                 y * curvature[1][1][i];
+            }
+        }
+        // Where walls meet, the curvatures of psi along both are all its Laplacian, and the blend has them.
+        if (!a.staggered && !b.staggered)
+        {
+            const auto row = static_cast<std::size_t>(a.count);
+            for (const std::size_t corner : {std::size_t{0}, row - 1, U_.size() - row, U_.size() - 1})
+            {
+                source[0][corner] = 0;
             }
         }
         solveCompact(source);

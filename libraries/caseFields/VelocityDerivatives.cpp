@@ -1,10 +1,12 @@
 #include "caseFields/VelocityDerivatives.hpp"
 
 #include "continuation/SmoothGram.hpp"
+#include "fields/reductions.hpp"
 #include "kernels/ExactKernel.hpp"
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <functional>
 #include <memory>
 
@@ -37,8 +39,22 @@ Continuations smoothContinuations(const Lattice& lattice)
 } // namespace
 
 VelocityDerivatives::VelocityDerivatives(const Lattice& lattice)
-    : lattice_(lattice), operators_(lattice, smoothContinuations(lattice), exactKernel()), scratch_(1, lattice.points())
+    : lattice_(lattice),
+      operators_(lattice, smoothContinuations(lattice), exactKernel()),
+      faces_(boundedFaces(lattice)),
+      scratch_(1, lattice.points())
 {
+}
+
+void VelocityDerivatives::derivative(const RealField& U, int component, int d, std::span<double> result)
+{
+    derivative(d, U[component], result);
+    for (const LatticeFace& face : faces_)
+    {
+        if (face.direction() != lattice_.direction(component) || d == component) { continue; }
+        if (flowsThrough(face, U[component])) { continue; }
+        for (const std::size_t n : face.innerPoints()) { result[n] = 0; }
+    }
 }
 
 void VelocityDerivatives::vorticity(const RealField& U, RealField& vorticity)
@@ -50,8 +66,8 @@ void VelocityDerivatives::vorticity(const RealField& U, RealField& vorticity)
         const int a = plane ? 0 : (c + 1) % 3;
         const int b = plane ? 1 : (c + 2) % 3;
         const double sign = plane ? normalSign(lattice_) : 1;
-        derivative(a, U[b], vorticity[c]);
-        derivative(b, U[a], scratch_[0]);
+        derivative(U, b, a, vorticity[c]);
+        derivative(U, a, b, scratch_[0]);
         std::ranges::transform(vorticity[c], scratch_[0], vorticity[c].begin(),
                                [sign](double dUbda, double dUadb) { return sign * (dUbda - dUadb); });
     }
@@ -77,7 +93,7 @@ RealField VelocityDerivatives::Q(const RealField& U)
     const auto along = [&](int direction)
     {
         RealField derivatives(dimensions, lattice_.points());
-        for (int c = 0; c < dimensions; ++c) { derivative(direction, U[c], derivatives[c]); }
+        for (int c = 0; c < dimensions; ++c) { derivative(U, c, direction, derivatives[c]); }
         return derivatives;
     };
     // The second invariant is the sum of the principal minors of the gradient: one for each pair of axes.
@@ -95,6 +111,17 @@ RealField VelocityDerivatives::Q(const RealField& U)
         }
     }
     return result;
+}
+
+bool flowsThrough(const LatticeFace& face, std::span<const double> normalVelocity)
+{
+    if (face.innerPoints().empty()) { return true; }
+    std::vector<double> values(face.points());
+    face.values(normalVelocity, values);
+    double inner = 0;
+    for (const std::size_t n : face.innerPoints()) { inner = std::max(inner, std::abs(normalVelocity[n])); }
+    // A formula may miss zero by round-off.
+    return inner > 1e-12 * largestMagnitude(values);
 }
 
 double normalSign(const Lattice& lattice) { return lattice.direction(1) - lattice.direction(0) == 2 ? -1 : 1; }

@@ -2,9 +2,11 @@
 
 #include "fields/Field.hpp"
 #include "lattice/Lattice.hpp"
+#include "lattice/LatticeFace.hpp"
 #include "operators/ContinuedOperators.hpp"
 
 #include <span>
+#include <vector>
 
 namespace isph
 {
@@ -24,6 +26,10 @@ public:
         operators_.derivative(d)(values, result, {});
     }
 
+    /// dU_component/dx along the d-th active axis [1/s], overwritten. Along a wall that is not flowed through, zero:
+    /// the points it shares with a moving wall are a jump that would ring all along it.
+    void derivative(const RealField& U, int component, int d, std::span<double> result);
+
     /// Components of the vorticity: one in two dimensions, three in three.
     int vorticityComponents() const { return lattice_.dimensions() == 2 ? 1 : 3; }
 
@@ -41,8 +47,13 @@ public:
 private:
     Lattice lattice_;
     ContinuedOperators operators_;
+    std::vector<LatticeFace> faces_; ///< at bounded ends
     RealField scratch_;
 };
+
+/// Whether a velocity leads through a face: points that it shares with others, which may belong to a moving wall, do
+/// not count.
+bool flowsThrough(const LatticeFace& face, std::span<const double> normalVelocity);
 
 /// +1 where the normal of the active axes a, b of a plane completes a, b, n to a right-handed set, -1 for x and z.
 double normalSign(const Lattice& lattice);

@@ -18,7 +18,7 @@ void FaceGradients::differentiate(const RealField& U)
     {
         for (int along = 0; along < lattice_.dimensions(); ++along)
         {
-            derivatives_.derivative(along, U[component], scratch_[0]);
+            derivatives_.derivative(U, component, along, scratch_[0]);
             for (std::size_t face = 0; face < faces_.size(); ++face)
             {
                 faces_[face].values(scratch_[0], gradients_[face][component * lattice_.dimensions() + along]);

@@ -26,6 +26,12 @@ std::vector<double> weightsAtWall(int points)
     return weights;
 }
 
+/// Whether point i of an axis lies on a face.
+bool onFace(const Axis& axis, int i)
+{
+    return axis.active() && !axis.periodic() && !axis.staggered && (i == 0 || i == axis.count - 1);
+}
+
 } // namespace
 
 LatticeFace::LatticeFace(const Lattice& lattice, int direction, bool upper) : direction_(direction), upper_(upper)
@@ -51,6 +57,10 @@ LatticeFace::LatticeFace(const Lattice& lattice, int direction, bool upper) : di
         {
             points_.push_back(static_cast<std::size_t>(first + ia * stride[static_cast<std::size_t>(a)] +
                                                        ib * stride[static_cast<std::size_t>(b)]));
+            if (!normal.staggered && !onFace(lattice.axis(a), ia) && !onFace(lattice.axis(b), ib))
+            {
+                innerPoints_.push_back(points_.back());
+            }
             coordinates_[static_cast<std::size_t>(direction)].push_back(place);
             coordinates_[static_cast<std::size_t>(a)].push_back(lattice.axis(a).coordinate(ia));
             coordinates_[static_cast<std::size_t>(b)].push_back(lattice.axis(b).coordinate(ib));

@@ -31,13 +31,17 @@ public:
     /// What each point weighs in an integral over the face [m^(dimensions - 1)].
     const std::vector<double>& weights() const { return weights_; }
 
+    /// Indices in a field of its points that are on no other face; none on a staggered axis, whose points are inside.
+    const std::vector<std::size_t>& innerPoints() const { return innerPoints_; }
+
     /// Values on the face of one component of a field.
     void values(std::span<const double> field, std::span<double> onFace) const;
 
 private:
     int direction_;
     bool upper_;
-    std::vector<std::size_t> points_;   ///< of the lattice, on the face or next to it
+    std::vector<std::size_t> points_; ///< of the lattice, on the face or next to it
+    std::vector<std::size_t> innerPoints_;
     std::ptrdiff_t inward_;             ///< from a point to the next one inside
     std::vector<double> extrapolation_; ///< weights of the points from the face inwards
     std::array<std::vector<double>, 3> coordinates_;

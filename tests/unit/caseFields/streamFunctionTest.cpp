@@ -92,5 +92,20 @@ TEST(StreamFunction, IsOfFourthOrderInABox)
     EXPECT_GT(std::log2(box(20) / box(40)), 3.7);
 }
 
+// Corners that move with a lid are no flow through the walls beside it: psi = sin^2(pi x) y^2 (1 - y)^2 all the same.
+TEST(StreamFunction, TakesCornersForPartsOfTheLid)
+{
+    const int n = 40;
+    const Lattice lattice({walls('x', 0, 1, n + 1), walls('y', 0, 1, n + 1), Axis{'z'}}, {});
+    const auto lidCorner = [](double x, double y) { return y == 1 && (x == 0 || x == 1) ? 1 : 0; };
+    EXPECT_LT(error(
+                  lattice,
+                  [&](double x, double y)
+                  { return lidCorner(x, y) + std::pow(std::sin(pi * x), 2) * 2 * y * (1 - y) * (1 - 2 * y); },
+                  [](double x, double y) { return -pi * std::sin(2 * pi * x) * y * y * (1 - y) * (1 - y); },
+                  [](double x, double y) { return std::pow(std::sin(pi * x) * y * (1 - y), 2); }),
+              1e-5);
+}
+
 } // namespace
 } // namespace isph

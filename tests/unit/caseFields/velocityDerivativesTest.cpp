@@ -170,6 +170,26 @@ TEST(VelocityDerivatives, MixPeriodicAndBoundedAxes)
               1e-10);
 }
 
+// The corners of a moving lid are points of the walls beside it, too, but these know nothing of its speed.
+TEST(VelocityDerivatives, DoNotRingAlongWallsBesideALid)
+{
+    const Lattice lattice({walls('x', 0, 1, 17), walls('y', 0, 1, 17), Axis{'z'}}, {});
+    RealField U(2, lattice.points());
+    fill(U, 0, lattice, [](double, double y, double) { return y == 1 ? 1 : 0; });
+    VelocityDerivatives derivatives(lattice);
+    const RealField omega = derivatives.vorticity(U);
+    const RealField Q = derivatives.Q(U);
+    forEachPoint(lattice,
+                 [&](std::size_t n, double x, double y, double)
+                 {
+                     if ((x == 0 || x == 1) && y > 0 && y < 1)
+                     {
+                         EXPECT_EQ(omega[0][n], 0);
+                         EXPECT_EQ(Q[0][n], 0);
+                     }
+                 });
+}
+
 TEST(VelocityDerivatives, AreThereForAFewPoints)
 {
     const Lattice lattice({walls('x', 0, 1, 2), walls('y', 0, 1, 3), Axis{'z'}}, {});

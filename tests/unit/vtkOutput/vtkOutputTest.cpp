@@ -84,6 +84,16 @@ TEST_F(VtkOutput, ClosesPeriodicAxes)
     EXPECT_THAT(valuesOf<double>(text, "TimeValue"), ElementsAre(0.25));
 }
 
+TEST_F(VtkOutput, ShowsStaggeredPointsWhereTheyAre)
+{
+    const Lattice lattice({Axis{'x', -1, 2, 2}, Axis{'y', 3, 1, 2, Axis::Ends::bounded, true}, Axis{'z', 7}}, {});
+    const RealField p = counted(1, lattice.points());
+    const std::vector<ImageArray> arrays{{"p", &p}};
+    writeVti(folder / "a.vti", lattice, 0, arrays);
+    EXPECT_THAT(textOf("a.vti"), HasSubstr("WholeExtent=\"0 2 0 1 0 0\" Origin=\"-1 3.25 7\" Spacing=\"1 0.5 1\""));
+    EXPECT_THAT(valuesOf<double>(textOf("a.vti"), "p"), ElementsAre(0, 1, 0, 2, 3, 2));
+}
+
 TEST_F(VtkOutput, GivesVectorsThreeComponents)
 {
     // Axes x and z in use: the second component of the velocity is along z.
