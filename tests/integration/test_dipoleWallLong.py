@@ -1,0 +1,37 @@
+"""A dipole meets a wall at Re 625, on 256 intervals to t = 0.5; at Re 100 to the end of the reference; minutes."""
+from cases import unittest
+from test_dipoleWall import DipoleTest
+from tutorials import at
+
+
+def peak(times, values, start, end):
+    """Time and height of the largest value between two times, by a parabola through three points."""
+    m = max((n for n in range(1, len(times) - 1) if start < times[n] < end), key=lambda n: values[n])
+    a, b = times[m - 1] - times[m], times[m + 1] - times[m]
+    left, right = (values[m - 1] - values[m]) / a, (values[m + 1] - values[m]) / b
+    curvature = (left - right) / (a - b)
+    offset = (right - curvature * b) / (-2 * curvature)
+    return times[m] + offset, values[m] - curvature * offset**2
+
+
+class DipoleLong(DipoleTest):
+    def test_re625(self):
+        _, columns = self.dipole(625, 256, 0.5)
+        t, E, Z = columns["time"], columns["kineticEnergy"], columns["enstrophy"]
+        first, height = peak(t, Z, 0.25, 0.48)
+        _, budget = peak(t, columns["enstrophyBudget"], 0.25, 0.48)
+        found = {"E(.25)": at(0.25, t, E), "Z(.25)": at(0.25, t, Z), "E(.5)": at(0.5, t, E), "Z(.5)": at(0.5, t, Z),
+                 "time": first, "direct": height, "budget": budget}
+        print(self.id(), found)
+        for name, wanted, bound in (("E(.25)", 1.502, 0.002), ("Z(.25)", 472.6, 0.002), ("E(.5)", 1.013, 0.006),
+                                    ("Z(.5)", 380.6, 0.01), ("direct", 933.6, 0.1), ("budget", 933.6, 0.03)):
+            self.assertLessEqual(abs(found[name] / wanted - 1), bound, name)
+        self.assertLessEqual(abs(first - 0.3711), 0.002)
+
+    def test_re100_to_the_end(self):
+        case, columns = self.dipole(100, 96, 10)
+        self.check_curves(case, columns, "dipole_re100_energy.csv", 0.002, 0.005)
+
+
+if __name__ == "__main__":
+    unittest.main()
