@@ -46,7 +46,8 @@ BoundedFlow::BoundedFlow(const Lattice& lattice, const Fluid& fluid, const FlowS
       boundary_(boundary),
       timings_(timings),
       dimensions_(lattice.dimensions()),
-      bounds_(continuedBounds(lattice, settings.continuations, settings.kernel, settings.laplacian))
+      bounds_(continuedBounds(lattice, settings.continuations, settings.kernel, settings.laplacian)),
+      outflow_(lattice, boundary)
 {
     makeDerivatives(effort);
 
@@ -65,6 +66,7 @@ BoundedFlow::BoundedFlow(const Lattice& lattice, const Fluid& fluid, const FlowS
         for (auto& side : slopes_[at(d)]) { side.assign(facePoints, 0.0); }
     }
     poisson_.emplace(lattice_, ends, effort);
+    if (VolumeBalance::concerns(lattice_, boundary_)) { balance_.emplace(lattice_, boundary_); }
     if (boundedAxes != 1 || lattice_.activeAxis(*closedAxis_).staggered || settings_.walls != WallTreatment::consistent)
     {
         closedAxis_.reset();
@@ -159,6 +161,7 @@ StartReport BoundedFlow::start(const RealField& velocity, bool project)
         solvePressure(velocity_, 1, false, phi_);
         subtractGradient(1, phi_, velocity_);
         boundary_.imposeNormal(velocity_);
+        if (balance_) { balance_->correct(velocity_); }
         double norm = 0;
         for (int c = 0; c < dimensions_; ++c)
         {

@@ -6,6 +6,8 @@
 #include "flow/FlowSettings.hpp"
 #include "flow/Fluid.hpp"
 #include "flow/IncompressibleFlow.hpp"
+#include "flow/OutflowCondition.hpp"
+#include "flow/VolumeBalance.hpp"
 #include "operators/DerivativeSymbol.hpp"
 #include "poisson/BoundedPoisson.hpp"
 
@@ -74,6 +76,8 @@ private:
     std::array<std::array<std::size_t, 3>, 3> derivativeOf_{}; ///< by component and axis
     std::array<std::size_t, 3> pressureDerivative_{};          ///< by axis
     std::optional<BoundedPoisson> poisson_;
+    OutflowCondition outflow_;
+    std::optional<VolumeBalance> balance_; ///< where there is an outlet
     std::optional<int> closedAxis_; ///< the only bounded axis: its pressure is fourth order
     std::array<std::array<std::vector<double>, 2>, 3> slopes_;
     std::array<std::vector<double>, 2> sourceSlopes_;

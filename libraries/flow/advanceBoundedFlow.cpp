@@ -31,7 +31,9 @@ void BoundedFlow::evaluateRate(double t)
             for (int d = 0; d < dimensions_; ++d)
             {
                 const auto carrier = convects ? std::span<const double>(velocity_[d]) : std::span<const double>();
+                outflow_.keep(d, rate_[c]);
                 derivative(c, d).addTransport(velocity_[c], carrier, nu, rate_[c], endData(c, d));
+                outflow_.replace(d, velocity_[c], carrier, rate_[c]);
             }
         }
         transforms_ += dimensions_ * dimensions_ * (1 + (convects ? 1 : 0) + (nu > 0 ? 1 : 0));
@@ -213,6 +215,7 @@ void BoundedFlow::advance(const Substep& substep, double t, double dt)
     subtractGradient(period, phi_, velocity_);
     const auto scope = timings_.scope(Phase::boundary);
     boundary_.impose(velocity_);
+    if (balance_) { balance_->correct(velocity_); }
 }
 
 const RealField& BoundedFlow::pressure(double t)
@@ -223,6 +226,7 @@ const RealField& BoundedFlow::pressure(double t)
     boundary_.update(t);
     evaluateRate(t);
     readNormal(rate_, 1);
+    if (balance_) { balance_->begin(); }
     if (boundary_.dependsOnTime())
     {
         const double pause = 0.01 * (lastStep_ > 0 ? lastStep_ : 1 / (rates().convective + rates().viscous));
@@ -230,11 +234,18 @@ const RealField& BoundedFlow::pressure(double t)
         const double weight = 1 / (t + pause - before);
         boundary_.update(t + pause);
         subtractPrescribed(weight);
+        if (balance_) { balance_->prescribe(weight); }
         boundary_.update(before);
         subtractPrescribed(-weight);
+        if (balance_) { balance_->prescribe(-weight); }
         boundary_.update(t);
     }
     solvePressure(rate_, 1, false, pressure_);
+    if (balance_)
+    {
+        subtractGradient(1, pressure_, rate_);
+        balance_->addPressure(rate_, pressure_);
+    }
     transforms_ = made;
     return pressure_;
 }
