@@ -18,7 +18,7 @@ namespace isph
 namespace
 {
 
-constexpr std::array<Selection<const FunctionType*>::Variant, 8> table{{
+constexpr std::array<Selection<const FunctionType*>::Variant, 9> table{{
     {"errorNorms", "errors.csv: L1, L2, Linf and relative L2 of the difference to an exact solution", &errorNormsType},
     {"flowStatistics", "flow.csv: kinetic energy, enstrophy and its budget, palinstrophy, Courant number, divergence",
      &flowStatisticsType},
@@ -28,6 +28,7 @@ constexpr std::array<Selection<const FunctionType*>::Variant, 8> table{{
     {"timing", "timing.csv: seconds by phase, and steps", &timingType},
     {"wallProfile", "<patch>.csv at times: vorticity, shear stress and pressure along walls", &wallProfileType},
     {"forces", "forces.csv: pressure and viscous force and moment on patches", &forcesType},
+    {"patchFlux", "flux.csv: the volume that leaves through patches per second", &patchFluxType},
 }};
 static_assert(distinct(table));
 

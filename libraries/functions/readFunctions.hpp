@@ -35,6 +35,7 @@ extern const FunctionType fieldAverageType;
 extern const FunctionType timingType;
 extern const FunctionType wallProfileType;
 extern const FunctionType forcesType;
+extern const FunctionType patchFluxType;
 
 /// <case>/postProcessing/<name>/<startTime>/<file>
 std::filesystem::path outputFile(const std::string& name, const std::string& file,

@@ -1,4 +1,5 @@
 #include "functions/Forces.hpp"
+#include "functions/PatchFlux.hpp"
 #include "functions/readFunctions.hpp"
 #include "functions/WallProfile.hpp"
 
@@ -96,9 +97,17 @@ std::unique_ptr<FunctionObject> makeForces(const std::string& name, const Dictio
                                     dictionary.vector("CofR"));
 }
 
+std::unique_ptr<FunctionObject> makePatchFlux(const std::string& name, const Dictionary& dictionary,
+                                              const FunctionSurroundings& surroundings)
+{
+    return std::make_unique<PatchFlux>(outputFile(name, "flux.csv", surroundings), surroundings.lattice,
+                                       readPatchFaces(dictionary, surroundings.lattice), surroundings.boundary);
+}
+
 } // namespace
 
 const FunctionType wallProfileType{wallProfileKeys, makeWallProfile};
 const FunctionType forcesType{forcesKeys, makeForces};
+const FunctionType patchFluxType{patchKeys, makePatchFlux};
 
 } // namespace isph

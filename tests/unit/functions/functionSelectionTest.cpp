@@ -193,7 +193,8 @@ TEST_F(FunctionsTest, ComplainOfEverySlip)
                 "f { writeInterval 3; }\n"
                 "g yes;"),
         "system/controlDict:2: functions.a.type: 'errorNorm' is not a known function type\n"
-        "    known are: errorNorms, flowStatistics, sampleLines, probes, fieldAverage, timing, wallProfile, forces\n"
+        "    known are: errorNorms, flowStatistics, sampleLines, probes, fieldAverage, timing, wallProfile, forces, "
+        "patchFlux\n"
         "system/controlDict:3: functions.b.probeLocations: is missing\n"
         "    write probeLocations ( ... ); (points, e.g. ((0.25 0.5 0) (0.75 0.5 0)) [m])\n"
         "system/controlDict:3: functions.b.probeLocation: is not a known entry\n"
@@ -205,7 +206,8 @@ TEST_F(FunctionsTest, ComplainOfEverySlip)
         "system/controlDict:6: functions.e.exact: names no field to compare with\n"
         "    write e.g. exact { U expression (\"sin(y)*exp(-nu*t)\" \"0\" \"0\"); }\n"
         "system/controlDict:7: functions.f.type: is missing\n"
-        "    known are: errorNorms, flowStatistics, sampleLines, probes, fieldAverage, timing, wallProfile, forces\n"
+        "    known are: errorNorms, flowStatistics, sampleLines, probes, fieldAverage, timing, wallProfile, forces, "
+        "patchFlux\n"
         "system/controlDict:8: functions.g: is no function\n"
         "    write g { type errorNorms; ... }");
 }
@@ -235,7 +237,7 @@ TEST_F(FunctionsTest, RefuseFieldsThatAFlowDoesNotHave)
 
 TEST_F(FunctionsTest, OnWallsNeedWalls)
 {
-    for (const char* type : {"wallProfile", "forces"})
+    for (const char* type : {"wallProfile", "forces", "patchFlux"})
     {
         EXPECT_EQ(errorOf(std::string("a { type ") + type + "; patches (floor); }"),
                   "system/controlDict:2: functions.a.type: looks at walls, but the box has no wall patch\n"
@@ -271,7 +273,7 @@ TEST_F(FunctionsTest, AreListed)
     std::vector<std::string> names;
     for (const ListedWord& word : functionTypes()) { names.push_back(word.name); }
     EXPECT_THAT(names, testing::ElementsAre("errorNorms", "flowStatistics", "sampleLines", "probes", "fieldAverage",
-                                            "timing", "wallProfile", "forces"));
+                                            "timing", "wallProfile", "forces", "patchFlux"));
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "Flows.hpp"
 #include "functions/Forces.hpp"
+#include "functions/PatchFlux.hpp"
 #include "functions/WallProfile.hpp"
 
 #include <algorithm>
@@ -155,6 +156,52 @@ TEST(Forces, PullTheWallsOfAChannelAlong)
     EXPECT_NEAR(forcesOn(lidPatch, lattice, flow, &rho)["viscousForce.x [N]"], rho * nu * 6, 1e-7);
     // About the middle of the floor, the lid's force has the arm (., 1, .).
     EXPECT_NEAR(forcesOn(lidPatch, lattice, flow, nullptr, {1, 0, 1.5})["viscousMoment.z [m5/s2]"], -nu * 6, 1e-7);
+}
+
+TEST(PatchFlux, IsPositiveOutwards)
+{
+    const Lattice lattice = box(16);
+    GivenFlow flow(lattice);
+    fill(flow.U, 0, lattice, [](double x, double y, double) { return 6 * y * (1 - y) + x; });
+    fill(flow.U, 1, lattice, [](double, double y, double) { return -y; });
+    const TemporaryFolder folder;
+    const Timings timings;
+    PatchFlux(folder.path / "flux.csv", lattice,
+              {{"floor", facesOf(floorPatch, lattice)},
+               {"lid", facesOf(lidPatch, lattice)},
+               {"sides", facesOf(sidesPatch, lattice)}},
+              nullptr)
+        .execute(at(flow, timings, 0.5));
+    EXPECT_EQ(linesOf(folder.path / "flux.csv")[0], "time [s],floor [m2/s],lid [m2/s],sides [m2/s]");
+    auto flux = readCsv(folder.path / "flux.csv");
+    EXPECT_EQ(flux["time [s]"].at(0), 0.5);
+    EXPECT_NEAR(flux["floor [m2/s]"].at(0), 0, 1e-14);
+    EXPECT_NEAR(flux["lid [m2/s]"].at(0), -2, 1e-14);
+    EXPECT_NEAR(flux["sides [m2/s]"].at(0), 2, 1e-14) << "3 leave, 1 enters";
+}
+
+TEST(PatchFlux, TakesWhatAFaceItselfPrescribes)
+{
+    // A lid owns its corners, yet nothing flows through the walls beside it.
+    const Lattice lattice = box(16);
+    std::array<std::array<FaceCondition, 2>, 3> faces;
+    for (auto& axis : faces)
+    {
+        for (FaceCondition& face : axis)
+        {
+            face.velocity = VelocityCondition::value;
+            face.pressure = PressureCondition::zeroGradient;
+        }
+    }
+    const FlowBoundary boundary(lattice, std::move(faces));
+    GivenFlow flow(lattice);
+    fill(flow.U, 0, lattice, [](double, double y, double) { return y < 1 ? 0 : 1; });
+    const TemporaryFolder folder;
+    const Timings timings;
+    PatchFlux(folder.path / "flux.csv", lattice, {{"right", facesOf({"right", Patch::Type::wall, {"xMax"}}, lattice)}},
+              &boundary)
+        .execute(at(flow, timings, 0));
+    EXPECT_EQ(readCsv(folder.path / "flux.csv")["right [m2/s]"].at(0), 0);
 }
 
 } // namespace
