@@ -1,9 +1,11 @@
 #include "flow/BoundedFlow.hpp"
 
+#include "core/Error.hpp"
 #include "fields/reductions.hpp"
 #include "flow/convectiveRates.hpp"
-#include "kernels/ExactKernel.hpp"
+#include "flow/stableNumbers.hpp"
 #include "operators/continuedBounds.hpp"
+#include "operators/lineSymbolOf.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +38,14 @@ EndCondition pressureEnd(const FaceCondition& face, bool staggered)
     return staggered && endOf(face) == End::neumann ? EndCondition::neumann : EndCondition::dirichlet;
 }
 
+/// What an implicit viscous term knows of a velocity component at a face.
+LineEnd viscousEnd(const FaceCondition& face, bool normal, bool staggered)
+{
+    const bool given =
+        face.velocity == VelocityCondition::value || (face.velocity == VelocityCondition::slip && normal);
+    return given && !staggered ? LineEnd::value : LineEnd::free;
+}
+
 } // namespace
 
 BoundedFlow::BoundedFlow(const Lattice& lattice, const Fluid& fluid, const FlowSettings& settings,
@@ -49,6 +59,11 @@ BoundedFlow::BoundedFlow(const Lattice& lattice, const Fluid& fluid, const FlowS
       bounds_(continuedBounds(lattice, settings.continuations, settings.kernel, settings.laplacian)),
       outflow_(lattice, boundary)
 {
+    if (settings_.crankNicolson && !marches(WallTreatment::consistent))
+    {
+        throw Error(Fault::input, "viscous CrankNicolson goes with walls consistent only",
+                    "write walls consistent; or viscous explicit;");
+    }
     makeDerivatives(effort);
 
     std::array<AxisEnds, 3> ends{};
@@ -65,12 +80,15 @@ BoundedFlow::BoundedFlow(const Lattice& lattice, const Fluid& fluid, const FlowS
         const std::size_t facePoints = lattice_.points() / at(axis.count);
         for (auto& side : slopes_[at(d)]) { side.assign(facePoints, 0.0); }
     }
-    poisson_.emplace(lattice_, ends, effort);
     if (VolumeBalance::concerns(lattice_, boundary_)) { balance_.emplace(lattice_, boundary_); }
-    if (boundedAxes != 1 || lattice_.activeAxis(*closedAxis_).staggered || settings_.walls != WallTreatment::consistent)
+    const bool closes = marches(WallTreatment::consistent) || marches(WallTreatment::pressurePoisson);
+    if (boundedAxes != 1 || lattice_.activeAxis(*closedAxis_).staggered || !closes) { closedAxis_.reset(); }
+    if (settings_.directPressure)
     {
+        direct_.emplace(lattice_, continuedAxes(lattice_, settings_.continuations, settings_.kernel, ends), effort);
         closedAxis_.reset();
     }
+    else { poisson_.emplace(lattice_, ends, effort); }
     if (closedAxis_)
     {
         for (auto& side : sourceSlopes_) { side.assign(slopes_[at(*closedAxis_)][0].size(), 0.0); }
@@ -85,6 +103,21 @@ BoundedFlow::BoundedFlow(const Lattice& lattice, const Fluid& fluid, const FlowS
     source_ = RealField(1, points);
     phi_ = RealField(1, points);
     if (fluid_.bodyForce) { force_ = RealField(dimensions_, points); }
+    if (keepsPressure())
+    {
+        phiBefore_ = RealField(1, points);
+        gradient_ = RealField(dimensions_, points);
+        increment_ = RealField(1, points);
+        if (marches(WallTreatment::pressurePoisson)) { laplacian_ = RealField(dimensions_, points); }
+    }
+    if (settings_.crankNicolson && fluid_.nu > 0) { makeHelmholtz(); }
+    mayYield_ = settings_.automaticViscous && fluid_.nu > 0 && marches(WallTreatment::consistent);
+}
+
+bool BoundedFlow::keepsPressure() const
+{
+    const bool mayBeImplicit = fluid_.nu > 0 && (settings_.crankNicolson || settings_.automaticViscous);
+    return mayBeImplicit || (!marches(WallTreatment::consistent) && !marches(WallTreatment::paper));
 }
 
 void BoundedFlow::makeDerivatives(PlanEffort effort)
@@ -94,14 +127,13 @@ void BoundedFlow::makeDerivatives(PlanEffort effort)
         int d;
         EndCondition low;
         EndCondition high;
-        std::size_t index;
     };
     std::vector<Made> made;
     const auto make = [&](int d, EndCondition low, EndCondition high)
     {
-        for (const Made& other : made)
+        for (std::size_t i = 0; i < made.size(); ++i)
         {
-            if (other.d == d && other.low == low && other.high == high) { return other.index; }
+            if (made[i].d == d && made[i].low == low && made[i].high == high) { return i; }
         }
         const int direction = lattice_.direction(d);
         const Axis& axis = lattice_.axis(direction);
@@ -110,17 +142,28 @@ void BoundedFlow::makeDerivatives(PlanEffort effort)
         {
             line.emplace(*continuation, axis.count, low, high);
         }
-        ContinuedTransform transform(linesAlong(lattice_, direction), std::move(line), axis.spacing(), effort);
-        LineSymbol symbol = lineSymbol(settings_.kernel, transform.length(), axis.spacing());
-        if (settings_.laplacian == LaplacianForm::exact)
+        // Slopes at the ends of lines are zero here, so data are values and need no scale.
+        ContinuedTransform transform(linesAlong(lattice_, direction), std::move(line), 1, effort);
+        const int length = transform.length();
+        derivatives_.emplace_back(std::move(transform),
+                                  lineSymbolOf(settings_.kernel, settings_.laplacian, length, axis.spacing()));
+        if (settings_.filter.type != FilterSettings::Type::none)
         {
-            KernelSettings exact;
-            exact.kernel = std::make_unique<ExactKernel>();
-            symbol.second = lineSymbol(exact, transform.length(), axis.spacing()).second;
+            std::optional<LineContinuation> again;
+            if (const auto& continuation = settings_.continuations[at(direction)])
+            {
+                again.emplace(*continuation, axis.count, low, high);
+            }
+            std::vector<double> factors;
+            for (int m = 0; m <= length / 2; ++m)
+            {
+                factors.push_back(filterFactor(settings_.filter, 2.0 * m / length));
+            }
+            filters_.emplace_back(ContinuedTransform(linesAlong(lattice_, direction), std::move(again), 1, effort),
+                                  std::move(factors));
         }
-        derivatives_.emplace_back(std::move(transform), symbol);
-        made.push_back({d, low, high, derivatives_.size() - 1});
-        return made.back().index;
+        made.push_back({d, low, high});
+        return made.size() - 1;
     };
     for (int d = 0; d < dimensions_; ++d)
     {
@@ -135,6 +178,35 @@ void BoundedFlow::makeDerivatives(PlanEffort effort)
         }
         pressureDerivative_[at(d)] = make(d, pressureEnd(low, staggered), pressureEnd(high, staggered));
     }
+}
+
+void BoundedFlow::makeHelmholtz()
+{
+    for (int c = 0; c < dimensions_; ++c)
+    {
+        std::vector<ContinuedAxis> axes;
+        for (int d = 0; d < dimensions_; ++d)
+        {
+            const int direction = lattice_.direction(d);
+            const Axis& axis = lattice_.axis(direction);
+            ContinuedAxis continued;
+            int length = axis.count;
+            if (const auto& continuation = settings_.continuations[at(direction)])
+            {
+                const FaceCondition& low = boundary_.face(direction, Side::low);
+                const FaceCondition& high = boundary_.face(direction, Side::high);
+                continued.continuation.emplace(*continuation, axis.count, velocityEnd(low, c == d, axis.staggered),
+                                               velocityEnd(high, c == d, axis.staggered));
+                continued.low = viscousEnd(low, c == d, axis.staggered);
+                continued.high = viscousEnd(high, c == d, axis.staggered);
+                length = continued.continuation->extendedPoints();
+            }
+            continued.symbol = lineSymbolOf(settings_.kernel, settings_.laplacian, length, axis.spacing());
+            axes.push_back(std::move(continued));
+        }
+        helmholtz_.emplace_back(lattice_, axes);
+    }
+    laplacian_ = RealField(dimensions_, lattice_.points());
 }
 
 ContinuedDerivative& BoundedFlow::derivative(int component, int d)
@@ -171,6 +243,7 @@ StartReport BoundedFlow::start(const RealField& velocity, bool project)
         }
         report.projected = norm > 0 ? std::sqrt(report.projected / norm) : 0;
     }
+    pressureKnown_ = false;
     transforms_ = 0;
     return report;
 }
@@ -178,13 +251,14 @@ StartReport BoundedFlow::start(const RealField& velocity, bool project)
 void BoundedFlow::save(FieldWriter& writer) const
 {
     writer.writeState("boundedU", velocity_);
-    if (oldPressure_.components() > 0) { writer.writeState("p", oldPressure_); }
+    if (keepsPressure() && pressureKnown_) { writer.writeState("phi", phi_); }
 }
 
 void BoundedFlow::restore(const FieldReader& reader)
 {
     reader.readState("boundedU", velocity_);
-    if (oldPressure_.components() > 0 && reader.hasState("p")) { reader.readState("p", oldPressure_); }
+    pressureKnown_ = keepsPressure() && reader.hasState("phi");
+    if (pressureKnown_) { reader.readState("phi", phi_); }
 }
 
 bool BoundedFlow::restores(const FieldReader& reader) const { return reader.hasState("boundedU"); }
@@ -192,7 +266,7 @@ bool BoundedFlow::restores(const FieldReader& reader) const { return reader.hasS
 void BoundedFlow::stepBack()
 {
     std::swap(velocity_, before_);
-    std::swap(oldPressure_, oldPressureBefore_);
+    if (keepsPressure()) { std::swap(phi_, phiBefore_); }
 }
 
 StepRates BoundedFlow::rates()
@@ -202,8 +276,29 @@ StepRates BoundedFlow::rates()
     if (fluid_.nu > 0 && !settings_.crankNicolson) { rates.viscous = fluid_.nu * bounds_.laplacian; }
     addConvectiveRates(lattice_, velocity_, bounds_, fluid_.nu, rates);
     if (settings_.convection == ConvectionForm::none) { rates.convective = rates.unbalancedConvection = 0; }
+    rates.viscousYields = mayYield_;
+    explicitRate_ = 1 / largestStableStep(*settings_.time, rates);
+    if (mayYield_ && crankNicolsonPays(*settings_.time, rates) && canYield()) { rates.viscous = 0; }
     return rates;
 }
+
+bool BoundedFlow::canYield()
+{
+    if (!helmholtz_.empty() || !mayYield_) { return mayYield_; }
+    try
+    {
+        makeHelmholtz();
+    }
+    catch (const Error&)
+    {
+        // An outlet, or a kernel whose second derivative has no real eigenvectors: the term stays explicit.
+        helmholtz_.clear();
+        mayYield_ = false;
+    }
+    return mayYield_;
+}
+
+std::string_view BoundedFlow::viscousStep() const { return !mayYield_ ? "" : implicit_ ? "CrankNicolson" : "explicit"; }
 
 const RealField& BoundedFlow::divergence()
 {

@@ -2,6 +2,7 @@
 
 #include "boundary/FlowBoundary.hpp"
 #include "continuation/ContinuedDerivative.hpp"
+#include "continuation/ContinuedFilter.hpp"
 #include "core/Timings.hpp"
 #include "flow/FlowSettings.hpp"
 #include "flow/Fluid.hpp"
@@ -10,6 +11,7 @@
 #include "flow/VolumeBalance.hpp"
 #include "operators/DerivativeSymbol.hpp"
 #include "poisson/BoundedPoisson.hpp"
+#include "poisson/ContinuedHelmholtz.hpp"
 
 #include <optional>
 #include <vector>
@@ -40,6 +42,8 @@ public:
     long transforms() const override { return transforms_; }
     std::string planFingerprint() const override { return "estimated"; }
 
+    std::string_view viscousStep() const override;
+
     const OperatorBounds& bounds() const { return bounds_; }
 
 private:
@@ -48,17 +52,35 @@ private:
     EndData endData(int component, int d) const;
 
     void makeDerivatives(PlanEffort effort);
-    bool old(WallTreatment treatment) const { return settings_.walls == treatment; }
+    void makeHelmholtz();
+    /// Whether the viscous term can be taken implicitly; for viscous auto, which has a choice.
+    bool canYield();
+    bool marches(WallTreatment treatment) const { return settings_.walls == treatment; }
+    bool keepsPressure() const;
 
     /// rate = -(u . D)u + nu lap u + f at all points, walls included.
-    void evaluateRate(double t);
+    void evaluateRate(double t, double nu);
+    /// u += dt (g F^k + z F^{k-1}); the rates change places.
+    void addRates(const Substep& substep, double dt);
+    void laplacian(const RealField& u, RealField& result);
+    void gradientOf(const RealField& phi, RealField& result);
+    /// Tangential wall values = what the walls prescribe + period D phi: what the projection will take away again.
+    void presetTangential(double period);
+    /// Solves (1 - beta lap) u* = u with what the walls prescribe.
+    void solveViscous(double beta);
+    void projectIncrement(double period);
+    void advanceByPressurePoisson(const Substep& substep, double t, double dt);
+    void finishStep(const Substep& substep);
     void addDivergence(const RealField& u, RealField& divergence);
     /// u -= period D phi.
     void subtractGradient(double period, const RealField& phi, RealField& u);
+    /// What walls have done to the velocity since t, in slopes_: less their acceleration.
+    void subtractAcceleration(double t);
     /// Solves lap phi = div u/period with what slopes_ says at the faces. \param keepsWalls u has what walls prescribe
     void solvePressure(const RealField& u, double period, bool keepsWalls, RealField& phi);
+    void solvePoisson(bool keepsWalls, RealField& phi);
     /// What the faces ask of the gradient of phi: the normal component of u there ...
-    void readNormal(const RealField& u, double factor);
+    void readNormal(const RealField& u, double factor, bool add = false);
     /// ... less the prescribed one ...
     void subtractPrescribed(double factor);
     /// ... but where the pressure itself is prescribed, or its slope.
@@ -75,10 +97,13 @@ private:
     std::vector<ContinuedDerivative> derivatives_;
     std::array<std::array<std::size_t, 3>, 3> derivativeOf_{}; ///< by component and axis
     std::array<std::size_t, 3> pressureDerivative_{};          ///< by axis
+    std::vector<ContinuedFilter> filters_;                     ///< by axis, as derivatives_
     std::optional<BoundedPoisson> poisson_;
     OutflowCondition outflow_;
-    std::optional<VolumeBalance> balance_; ///< where there is an outlet
-    std::optional<int> closedAxis_; ///< the only bounded axis: its pressure is fourth order
+    std::optional<VolumeBalance> balance_;      ///< where there is an outlet
+    std::optional<ContinuedHelmholtz> direct_;  ///< solver direct
+    std::vector<ContinuedHelmholtz> helmholtz_; ///< by velocity component; made when first needed
+    std::optional<int> closedAxis_;             ///< the only bounded axis: its pressure is fourth order
     std::array<std::array<std::vector<double>, 2>, 3> slopes_;
     std::array<std::vector<double>, 2> sourceSlopes_;
 
@@ -90,10 +115,16 @@ private:
     RealField scratch_;
     RealField source_;
     RealField phi_;
-    RealField oldPressure_; ///< of treatments that need it
-    RealField oldPressureBefore_;
+    RealField phiBefore_; ///< of treatments that march the pressure, too
+    RealField gradient_;  ///< of phi, where a treatment needs it
+    RealField laplacian_;
+    RealField increment_; ///< of the pressure, or the divergence
     RealField pressure_;
     double lastStep_ = 0;
+    double explicitRate_ = 0;    ///< one over the largest step with every term explicit
+    bool pressureKnown_ = false; ///< phi_ is one
+    bool mayYield_ = false;      ///< viscous auto, and there is a way to take the term implicitly
+    bool implicit_ = false;      ///< the viscous term in this step
     long transforms_ = 0;
 };
 

@@ -7,6 +7,7 @@
 #include "schemes/stabilityLimits.hpp"
 
 #include <string>
+#include <string_view>
 
 namespace isph
 {
@@ -38,6 +39,9 @@ public:
 
     /// Rates of the present state, for choosing and judging a step; not finite when the state is not.
     virtual StepRates rates() = 0;
+
+    /// How the last step took the viscous term, where steps differ in that; else empty.
+    virtual std::string_view viscousStep() const { return {}; }
 
     /// Velocity at the points, its mean included; valid until the next step.
     virtual const RealField& velocity() = 0;

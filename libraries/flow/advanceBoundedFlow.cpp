@@ -16,13 +16,21 @@ void copy(const RealField& from, RealField& to)
     for (int c = 0; c < from.components(); ++c) { std::ranges::copy(from[c], to[c].begin()); }
 }
 
+/// a += factor b, every component.
+void addScaled(double factor, const RealField& b, RealField& a)
+{
+    for (int c = 0; c < a.components(); ++c)
+    {
+        std::ranges::transform(a[c], b[c], a[c].begin(), [factor](double x, double y) { return x + factor * y; });
+    }
+}
+
 } // namespace
 
-void BoundedFlow::evaluateRate(double t)
+void BoundedFlow::evaluateRate(double t, double nu)
 {
     for (int c = 0; c < dimensions_; ++c) { std::ranges::fill(rate_[c], 0.0); }
     const bool convects = settings_.convection != ConvectionForm::none;
-    const double nu = settings_.crankNicolson ? 0 : fluid_.nu;
     if (convects || nu > 0)
     {
         const auto scope = timings_.scope(Phase::transforms);
@@ -72,7 +80,7 @@ void BoundedFlow::subtractGradient(double period, const RealField& phi, RealFiel
     transforms_ += 2 * dimensions_;
 }
 
-void BoundedFlow::readNormal(const RealField& u, double factor)
+void BoundedFlow::readNormal(const RealField& u, double factor, bool add)
 {
     for (int d = 0; d < dimensions_; ++d)
     {
@@ -82,7 +90,10 @@ void BoundedFlow::readNormal(const RealField& u, double factor)
         {
             const std::size_t end = side * (lines.count - 1) * lines.inner;
             auto& slopes = slopes_[at(d)][side];
-            for (std::size_t l = 0; l < slopes.size(); ++l) { slopes[l] = factor * u[d][lines.start(l) + end]; }
+            for (std::size_t l = 0; l < slopes.size(); ++l)
+            {
+                slopes[l] = (add ? slopes[l] : 0) + factor * u[d][lines.start(l) + end];
+            }
         }
     }
 }
@@ -150,8 +161,13 @@ void BoundedFlow::slopesOfSource(int d)
 void BoundedFlow::solvePressure(const RealField& u, double period, bool keepsWalls, RealField& phi)
 {
     addDivergence(u, source_);
-    const auto scope = timings_.scope(Phase::poisson);
     for (double& value : source_[0]) { value /= period; }
+    solvePoisson(keepsWalls, phi);
+}
+
+void BoundedFlow::solvePoisson(bool keepsWalls, RealField& phi)
+{
+    const auto scope = timings_.scope(Phase::poisson);
     readPressures();
     WallData walls;
     for (int d = 0; d < dimensions_; ++d)
@@ -168,51 +184,114 @@ void BoundedFlow::solvePressure(const RealField& u, double period, bool keepsWal
         };
         walls[at(direction)] = {given(Side::low, 0), given(Side::high, 1)};
     }
-    if (closedAxis_)
-    {
-        slopesOfSource(*closedAxis_);
-        poisson_->solveClosed(source_, walls, {sourceSlopes_[0], sourceSlopes_[1]}, phi);
-    }
-    else { poisson_->solve(source_, walls, phi); }
     transforms_ += 2 * dimensions_;
+    if (direct_)
+    {
+        direct_->solve(0, -1, source_[0], walls, phi[0]);
+        return;
+    }
+    if (!closedAxis_)
+    {
+        poisson_->solve(source_, walls, phi);
+        return;
+    }
+    slopesOfSource(*closedAxis_);
+    poisson_->solveClosed(source_, walls, {sourceSlopes_[0], sourceSlopes_[1]}, phi);
+}
+
+void BoundedFlow::addRates(const Substep& substep, double dt)
+{
+    const auto scope = timings_.scope(Phase::pointwise);
+    const double g = dt * substep.g;
+    const double z = dt * substep.z;
+    for (int c = 0; c < dimensions_; ++c)
+    {
+        const auto u = velocity_[c];
+        const auto now = rate_[c];
+        const auto past = previousRate_[c];
+        if (substep.first)
+        {
+            for (std::size_t i = 0; i < u.size(); ++i) { u[i] += g * now[i]; }
+        }
+        else
+        {
+            for (std::size_t i = 0; i < u.size(); ++i) { u[i] += g * now[i] + z * past[i]; }
+        }
+    }
+    std::swap(rate_, previousRate_);
 }
 
 void BoundedFlow::advance(const Substep& substep, double t, double dt)
 {
     const double period = substep.a * dt;
-    if (substep.first) { copy(velocity_, before_); }
-    lastStep_ = dt;
+    if (substep.first)
+    {
+        copy(velocity_, before_);
+        if (keepsPressure()) { copy(phi_, phiBefore_); }
+        lastStep_ = dt;
+        if (mayYield_ && explicitRate_ == 0) { rates(); }
+        implicit_ = fluid_.nu > 0 && (settings_.crankNicolson || (mayYield_ && dt * explicitRate_ > 1 && canYield()));
+        if (keepsPressure() && !pressureKnown_ && !marches(WallTreatment::pressurePoisson))
+        {
+            copy(pressure(t), phi_);
+            pressureKnown_ = true;
+        }
+    }
     boundary_.update(t + substep.start * dt);
     // What slips along walls after the projection of the start does so no longer.
     if (substep.first) { boundary_.impose(velocity_); }
-    evaluateRate(t + substep.start * dt);
+    if (marches(WallTreatment::pressurePoisson)) { return advanceByPressurePoisson(substep, t, dt); }
+
+    evaluateRate(t + substep.start * dt, implicit_ ? 0 : fluid_.nu);
+    const double beta = 0.5 * period * fluid_.nu;
+    if (implicit_)
     {
-        const auto scope = timings_.scope(Phase::pointwise);
-        const double g = dt * substep.g;
-        const double z = substep.first ? 0 : dt * substep.z;
-        for (int c = 0; c < dimensions_; ++c)
-        {
-            const auto u = velocity_[c];
-            const auto now = rate_[c];
-            const auto past = previousRate_[c];
-            if (substep.first)
-            {
-                for (std::size_t i = 0; i < u.size(); ++i) { u[i] += g * now[i]; }
-            }
-            else
-            {
-                for (std::size_t i = 0; i < u.size(); ++i) { u[i] += g * now[i] + z * past[i]; }
-            }
-        }
-        std::swap(rate_, previousRate_);
+        laplacian(velocity_, laplacian_);
+        addScaled(beta, laplacian_, velocity_);
     }
+    addRates(substep, dt);
     boundary_.update(t + (substep.start + substep.a) * dt);
-    const bool paper = old(WallTreatment::paper);
-    if (paper) { boundary_.impose(velocity_); }
+
+    // An implicit viscous term leaves the walls no momentum to take the pressure's slope from: it goes by increments.
+    const bool incremental = implicit_ || marches(WallTreatment::incremental) || marches(WallTreatment::rotational);
+    const bool keepsWalls = incremental || marches(WallTreatment::paper);
+    if (incremental)
+    {
+        gradientOf(phi_, gradient_);
+        addScaled(-period, gradient_, velocity_);
+    }
+    if (implicit_) { solveViscous(beta); }
+    else if (keepsWalls) { boundary_.impose(velocity_); }
+    if (marches(WallTreatment::slip))
+    {
+        gradientOf(phi_, gradient_);
+        presetTangential(period);
+    }
     readNormal(velocity_, 1 / period);
     subtractPrescribed(1 / period);
-    solvePressure(velocity_, period, paper, phi_);
-    subtractGradient(period, phi_, velocity_);
+    if (incremental) { projectIncrement(period); }
+    else
+    {
+        solvePressure(velocity_, period, keepsWalls, phi_);
+        subtractGradient(period, phi_, velocity_);
+    }
+    finishStep(substep);
+}
+
+void BoundedFlow::finishStep(const Substep& substep)
+{
+    if (substep.last && !filters_.empty())
+    {
+        const auto scope = timings_.scope(Phase::transforms);
+        for (int c = 0; c < dimensions_; ++c)
+        {
+            for (int d = 0; d < dimensions_; ++d)
+            {
+                filters_[derivativeOf_[at(c)][at(d)]](velocity_[c], endData(c, d));
+            }
+        }
+        transforms_ += 2 * dimensions_ * dimensions_;
+    }
     const auto scope = timings_.scope(Phase::boundary);
     boundary_.impose(velocity_);
     if (balance_) { balance_->correct(velocity_); }
@@ -224,22 +303,10 @@ const RealField& BoundedFlow::pressure(double t)
     // The rate of change itself, projected: its prescribed normal component is the walls' acceleration.
     const long made = transforms_;
     boundary_.update(t);
-    evaluateRate(t);
+    evaluateRate(t, fluid_.nu);
     readNormal(rate_, 1);
     if (balance_) { balance_->begin(); }
-    if (boundary_.dependsOnTime())
-    {
-        const double pause = 0.01 * (lastStep_ > 0 ? lastStep_ : 1 / (rates().convective + rates().viscous));
-        const double before = std::max(t - pause, std::min(t, 0.0));
-        const double weight = 1 / (t + pause - before);
-        boundary_.update(t + pause);
-        subtractPrescribed(weight);
-        if (balance_) { balance_->prescribe(weight); }
-        boundary_.update(before);
-        subtractPrescribed(-weight);
-        if (balance_) { balance_->prescribe(-weight); }
-        boundary_.update(t);
-    }
+    subtractAcceleration(t);
     solvePressure(rate_, 1, false, pressure_);
     if (balance_)
     {

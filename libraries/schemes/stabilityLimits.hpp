@@ -17,9 +17,15 @@ struct StepRates
     /// schemes that need no viscosity.
     double unbalancedConvection = 0;
 
+    /// Whether the viscous term turns implicit in steps that are too long for it.
+    bool viscousYields = false;
+
     double courant = 0;     ///< largest sum |u_j|/dx_j over points: Courant number per unit of time [1/s]
     double meanCourant = 0; ///< its mean
 };
+
+/// Whether a step of dt is taken with the viscous term implicit: it yields, and dt is beyond what all terms bear.
+bool viscousTermYields(const TimeScheme& scheme, const StepRates& rates, double dt);
 
 /// dt times a rate over what the scheme can bear: stable below 1.
 struct StabilityMargin

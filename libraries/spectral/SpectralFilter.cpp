@@ -19,6 +19,20 @@ const Selection<FilterSettings::Type>& filters()
     return selection;
 }
 
+double filterFactor(const FilterSettings& settings, double fraction)
+{
+    switch (settings.type)
+    {
+    case FilterSettings::Type::exponential:
+        return std::exp(-settings.strength * std::pow(fraction, settings.order));
+    case FilterSettings::Type::cutoff:
+        return fraction <= settings.fraction ? 1 : 0;
+    case FilterSettings::Type::none:
+        break;
+    }
+    return 1;
+}
+
 std::array<std::vector<double>, 3> filterFactors(const Lattice& lattice, const FilterSettings& settings)
 {
     std::array<std::vector<double>, 3> factors;
@@ -27,13 +41,7 @@ std::array<std::vector<double>, 3> filterFactors(const Lattice& lattice, const F
         const int n = lattice.activeAxis(d).count;
         for (int i = 0; i < (d == 0 ? n / 2 + 1 : n); ++i)
         {
-            const double fraction = 2.0 * std::min(i, n - i) / n;
-            const double sigma = settings.type == FilterSettings::Type::exponential
-                                     ? std::exp(-settings.strength * std::pow(fraction, settings.order))
-                                 : settings.type == FilterSettings::Type::cutoff
-                                     ? (fraction <= settings.fraction ? 1 : 0)
-                                     : 1;
-            factors[static_cast<std::size_t>(d)].push_back(sigma);
+            factors[static_cast<std::size_t>(d)].push_back(filterFactor(settings, 2.0 * std::min(i, n - i) / n));
         }
     }
     return factors;

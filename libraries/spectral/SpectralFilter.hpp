@@ -27,6 +27,9 @@ struct FilterSettings
 
 const Selection<FilterSettings::Type>& filters();
 
+/// sigma of a mode at this fraction of the Nyquist wavenumber.
+double filterFactor(const FilterSettings& settings, double fraction);
+
 /// Factors of the modes' indices, for each active axis.
 std::array<std::vector<double>, 3> filterFactors(const Lattice& lattice, const FilterSettings& settings);
 

@@ -40,7 +40,12 @@ std::vector<std::string> linesOn(const StartReport& started)
 std::string divergenceLine(IncompressibleFlow& flow)
 {
     const DivergenceNorms divergence = divergenceNorms(flow);
-    return fmt::format("divergence L2: {:.3g} Linf: {:.3g}", divergence.L2, divergence.Linf);
+    std::string line = fmt::format("divergence L2: {:.3g} Linf: {:.3g}", divergence.L2, divergence.Linf);
+    if (const auto viscous = flow.viscousStep(); !viscous.empty())
+    {
+        line += fmt::format("\nviscous term: {}", viscous);
+    }
+    return line;
 }
 
 FlowAtTime flowAtTime(IncompressibleFlow& flow, const TimeControl& control, const Timings& timings)

@@ -80,9 +80,10 @@ struct Errors
     double pressure;
 };
 
-Errors errorsAt(bool box, int intervals, double end, WallTreatment walls = WallTreatment::consistent)
+Errors errorsAt(bool box, int intervals, double end, WallTreatment walls = WallTreatment::consistent, int steps = 0,
+                bool crankNicolson = false, double nu = 0.01)
 {
-    const Manufactured flow{box};
+    const Manufactured flow{box, nu};
     const Lattice lattice = unitBox(intervals, intervals, box);
     Fluid fluid{.nu = flow.nu};
     fluid.bodyForce = std::make_unique<PlainForce>(lattice, [flow](int c, double x, double y, double, double t)
@@ -92,10 +93,12 @@ Errors errorsAt(bool box, int intervals, double end, WallTreatment walls = WallT
     faces[1] = {wallAtRest("walls"), wallAtRest("walls")};
     FlowSettings settings = boundedSettings(lattice);
     settings.walls = walls;
+    settings.crankNicolson = crankNicolson;
     BoundedRun run(lattice, std::move(fluid), std::move(settings), std::move(faces));
     run.start([flow](int c, double x, double y, double) { return flow.velocity(c, x, y, 0); }, false);
     const double h = 1.0 / intervals;
-    run.march(end, static_cast<int>(std::ceil(end / std::min(0.1 * h * h / flow.nu, 0.25 * h) - 1e-9)));
+    run.march(end,
+              steps > 0 ? steps : static_cast<int>(std::ceil(end / std::min(0.1 * h * h / flow.nu, 0.25 * h) - 1e-9)));
 
     const auto difference = [](const RealField& a, RealField b)
     {
@@ -143,3 +146,57 @@ TEST(BoundedManufactured, W7_channelConvergesInFourthOrder)
 }
 
 TEST(BoundedManufactured, W6_boxConvergesInFourthOrder) { checkOrder(true, 0.5, {8.8e-6, 2.4e-6, 3.9e-7, 1.1e-7}); }
+
+// What other treatments of walls reach (docs/theory/walls.md, section 4).
+TEST(BoundedManufactured, wallsOfThePaperAreOfFirstOrderInTheirStep)
+{
+    // The step falls with the square of the spacing, so first order in time looks like second in space.
+    const double coarse = errorsAt(true, 32, 0.5, WallTreatment::paper).velocity;
+    const double fine = errorsAt(true, 64, 0.5, WallTreatment::paper).velocity;
+    record("walls paper, box N 64", fine);
+    EXPECT_NEAR(coarse, 5.2e-4, 0.1e-4);
+    EXPECT_NEAR(fine, 1.6e-4, 0.1e-4);
+}
+
+TEST(BoundedManufactured, incrementsAreAsGoodOnSmoothFlow)
+{
+    for (const bool box : {false, true})
+    {
+        for (const WallTreatment walls : {WallTreatment::incremental, WallTreatment::rotational})
+        {
+            const double coarse = errorsAt(box, 32, 0.25, walls).velocity;
+            const double fine = errorsAt(box, 64, 0.25, walls).velocity;
+            EXPECT_LE(fine, 1e-6);
+            EXPECT_GE(std::log2(coarse / fine), 2.5);
+        }
+    }
+}
+
+TEST(BoundedManufactured, presetSlipWorksInAChannelAndIsUnstableInABox)
+{
+    EXPECT_LE(errorsAt(false, 48, 0.25, WallTreatment::slip).velocity, 8e-7);
+    EXPECT_FALSE(errorsAt(true, 48, 0.5, WallTreatment::slip).velocity < 1);
+}
+
+TEST(BoundedManufactured, pressurePoissonHasTheBestPressureInAChannel)
+{
+    const Errors found = errorsAt(false, 48, 0.25, WallTreatment::pressurePoisson);
+    EXPECT_LE(found.velocity, 3e-7);
+    EXPECT_LE(found.pressure, 2e-6);
+}
+
+// nu dt/h^2 from 51 down to 3, where the explicit term bears 0.13.
+TEST(BoundedManufactured, crankNicolsonIsOfSecondOrderInLongSteps)
+{
+    for (const bool box : {false, true})
+    {
+        std::vector<double> errors;
+        for (const int steps : {10, 20, 40, 80})
+        {
+            errors.push_back(errorsAt(box, 32, 0.5, WallTreatment::consistent, steps, true, 1).velocity);
+        }
+        record(box ? "Crank-Nicolson, box, 80 steps" : "Crank-Nicolson, channel, 80 steps", errors.back());
+        EXPECT_LE(errors.back(), 2.5e-5);
+        EXPECT_GE(std::log2(errors[1] / errors[3]) / 2, 1.8);
+    }
+}

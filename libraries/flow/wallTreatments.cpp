@@ -1,0 +1,133 @@
+#include "flow/BoundedFlow.hpp"
+
+#include <algorithm>
+#include <functional>
+
+namespace isph
+{
+
+namespace
+{
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+constexpr std::array<Side, 2> sides{Side::low, Side::high};
+
+/// a += factor b, every component.
+void addScaled(double factor, const RealField& b, RealField& a)
+{
+    for (int c = 0; c < a.components(); ++c)
+    {
+        std::ranges::transform(a[c], b[c], a[c].begin(), [factor](double x, double y) { return x + factor * y; });
+    }
+}
+
+} // namespace
+
+void BoundedFlow::laplacian(const RealField& u, RealField& result)
+{
+    const auto scope = timings_.scope(Phase::transforms);
+    for (int c = 0; c < dimensions_; ++c)
+    {
+        std::ranges::fill(result[c], 0.0);
+        for (int d = 0; d < dimensions_; ++d) { derivative(c, d).addTransport(u[c], {}, 1, result[c], endData(c, d)); }
+    }
+    transforms_ += 2 * dimensions_ * dimensions_;
+}
+
+void BoundedFlow::gradientOf(const RealField& phi, RealField& result)
+{
+    const auto scope = timings_.scope(Phase::transforms);
+    for (int d = 0; d < dimensions_; ++d) { derivatives_[pressureDerivative_[at(d)]](phi[0], result[d], {}); }
+    transforms_ += 2 * dimensions_;
+}
+
+void BoundedFlow::presetTangential(double period)
+{
+    for (int d = 0; d < dimensions_; ++d)
+    {
+        const int direction = lattice_.direction(d);
+        const LineLayout lines = linesAlong(lattice_, direction);
+        for (const Side side : sides)
+        {
+            const std::size_t end = side == Side::high ? (lines.count - 1) * lines.inner : 0;
+            for (int c = 0; c < dimensions_; ++c)
+            {
+                const auto prescribed = boundary_.velocity(direction, side, c);
+                for (std::size_t l = 0; c != d && l < prescribed.size(); ++l)
+                {
+                    const std::size_t point = lines.start(l) + end;
+                    velocity_[c][point] = prescribed[l] + period * gradient_[c][point];
+                }
+            }
+        }
+    }
+}
+
+void BoundedFlow::solveViscous(double beta)
+{
+    const auto scope = timings_.scope(Phase::poisson);
+    for (int c = 0; c < dimensions_; ++c)
+    {
+        WallData walls;
+        for (int d = 0; d < dimensions_; ++d)
+        {
+            const int direction = lattice_.direction(d);
+            if (lattice_.axis(direction).periodic()) { continue; }
+            walls[at(direction)] = {boundary_.velocity(direction, Side::low, c),
+                                    boundary_.velocity(direction, Side::high, c)};
+        }
+        helmholtz_[at(c)].solve(1, beta, velocity_[c], walls, velocity_[c]);
+    }
+}
+
+void BoundedFlow::projectIncrement(double period)
+{
+    solvePressure(velocity_, period, true, increment_);
+    subtractGradient(period, increment_, velocity_);
+    addScaled(1, increment_, phi_);
+    if (marches(WallTreatment::rotational)) { addScaled(-fluid_.nu * period, source_, phi_); }
+}
+
+void BoundedFlow::subtractAcceleration(double t)
+{
+    if (!boundary_.dependsOnTime()) { return; }
+    const double pause = 0.01 * (lastStep_ > 0 ? lastStep_ : 1 / (rates().convective + rates().viscous));
+    const double before = std::max(t - pause, std::min(t, 0.0));
+    const double weight = 1 / (t + pause - before);
+    boundary_.update(t + pause);
+    subtractPrescribed(weight);
+    if (balance_) { balance_->prescribe(weight); }
+    boundary_.update(before);
+    subtractPrescribed(-weight);
+    if (balance_) { balance_->prescribe(-weight); }
+    boundary_.update(t);
+}
+
+void BoundedFlow::advanceByPressurePoisson(const Substep& substep, double t, double dt)
+{
+    // Below 0.1 divergence gathers, at 1 the feedback is unstable.
+    constexpr double feedback = 0.2;
+    const double start = t + substep.start * dt;
+    evaluateRate(start, 0);
+    addDivergence(velocity_, increment_);
+    addDivergence(rate_, source_);
+    addScaled(feedback / dt, increment_, source_);
+    if (fluid_.nu > 0)
+    {
+        laplacian(velocity_, laplacian_);
+        addScaled(fluid_.nu, laplacian_, rate_);
+        gradientOf(increment_, gradient_);
+    }
+    // -curl curl u = lap u - grad div u.
+    readNormal(rate_, 1);
+    if (fluid_.nu > 0) { readNormal(gradient_, -fluid_.nu, true); }
+    subtractAcceleration(start);
+    solvePoisson(false, phi_);
+    subtractGradient(1, phi_, rate_);
+    addRates(substep, dt);
+    boundary_.update(start + substep.a * dt);
+    finishStep(substep);
+}
+
+} // namespace isph
