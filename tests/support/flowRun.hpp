@@ -45,7 +45,7 @@ struct RunOf
         t += dt;
     }
 
-    FlowStatistics statistics() { return FlowDiagnostics(lattice, fluid.nu).evaluate(flow, nullptr); }
+    FlowStatistics statistics() { return FlowDiagnostics(lattice, fluid.nu).evaluate(flow, nullptr, t); }
 
     Lattice lattice;
     Fluid fluid;
