@@ -290,7 +290,7 @@ void FlowBoundary::imposeNormal(RealField& U) const
         for (const Face& face : faces_[at(lattice_.direction(d))])
         {
             if (!face.onPoints) { continue; }
-            const std::vector<double>& values = face.velocity[at(d)];
+            const std::vector<double>& values = face.own[at(d)];
             for (std::size_t i = 0; i < values.size(); ++i) { U[d][face.points[i]] = values[i]; }
         }
     }

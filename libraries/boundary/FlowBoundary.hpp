@@ -105,7 +105,8 @@ public:
     /// Overwrites the velocity at the points that lie on faces with what they prescribe. Nothing on staggered axes.
     void impose(RealField& U) const;
 
-    /// The same for what they prescribe along their own axes alone: nothing flows through walls, along them it slips.
+    /// The same for what faces prescribe along their own axes alone, whoever owns corners: nothing flows through walls,
+    /// along them it slips.
     void imposeNormal(RealField& U) const;
 
     /// Volume (in 2-D: area) that flows in through the faces that prescribe it, and out, per second.

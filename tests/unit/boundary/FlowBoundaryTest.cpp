@@ -57,6 +57,22 @@ TEST(FlowBoundary, AMovingLidOwnsItsCorners)
     EXPECT_FALSE(boundary.fixesPressure());
 }
 
+TEST(FlowBoundary, NormalComponentsAloneLetTheRestSlip)
+{
+    const Lattice lattice = box(closedSquare, {4, 3, 1});
+    Faces faces = walls();
+    faces[0][0].U = uniform({2, 0.5, 0});
+    faces[1][1].U = uniform({1, 0, 0});
+    FlowBoundary boundary(lattice, std::move(faces));
+    boundary.update(0);
+
+    RealField U(lattice.dimensions(), lattice.points());
+    for (int d = 0; d < U.components(); ++d) { std::ranges::fill(U[d], 9.0); }
+    boundary.imposeNormal(U);
+    EXPECT_THAT(U[0], ElementsAre(2, 9, 9, 0, 2, 9, 9, 0, 2, 9, 9, 0));
+    EXPECT_THAT(U[1], ElementsAre(0, 0, 0, 0, 9, 9, 9, 9, 0, 0, 0, 0));
+}
+
 TEST(FlowBoundary, PrescribedComesBeforeSlipAndSlipBeforeOutflow)
 {
     const Lattice lattice = box(closedSquare, {3, 3, 1});
