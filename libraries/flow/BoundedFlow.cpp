@@ -65,6 +65,7 @@ BoundedFlow::BoundedFlow(const Lattice& lattice, const Fluid& fluid, const FlowS
                     "write walls consistent; or viscous explicit;");
     }
     makeDerivatives(effort);
+    if (settings_.extended) { makeExtended(effort); }
 
     std::array<AxisEnds, 3> ends{};
     int boundedAxes = 0;
@@ -167,16 +168,43 @@ void BoundedFlow::makeDerivatives(PlanEffort effort)
     };
     for (int d = 0; d < dimensions_; ++d)
     {
+        const auto direction = at(lattice_.direction(d));
+        for (int c = 0; c <= dimensions_; ++c)
+        {
+            const auto [low, high] = endsOf(c)[direction];
+            (c < dimensions_ ? derivativeOf_[at(c)] : pressureDerivative_)[at(d)] = make(d, low, high);
+        }
+    }
+}
+
+ExtendedOperators::Ends BoundedFlow::endsOf(int component) const
+{
+    ExtendedOperators::Ends ends{};
+    for (int d = 0; d < dimensions_; ++d)
+    {
         const int direction = lattice_.direction(d);
         const bool staggered = lattice_.axis(direction).staggered;
-        const FaceCondition& low = boundary_.face(direction, Side::low);
-        const FaceCondition& high = boundary_.face(direction, Side::high);
-        for (int c = 0; c < dimensions_; ++c)
+        for (const Side side : {Side::low, Side::high})
         {
-            derivativeOf_[at(c)][at(d)] =
-                make(d, velocityEnd(low, c == d, staggered), velocityEnd(high, c == d, staggered));
+            const FaceCondition& face = boundary_.face(direction, side);
+            ends[at(direction)][side == Side::low ? 0 : 1] =
+                component < dimensions_ ? velocityEnd(face, component == d, staggered) : pressureEnd(face, staggered);
         }
-        pressureDerivative_[at(d)] = make(d, pressureEnd(low, staggered), pressureEnd(high, staggered));
+    }
+    return ends;
+}
+
+void BoundedFlow::makeExtended(PlanEffort effort)
+{
+    std::vector<ExtendedOperators::Ends> made;
+    for (int c = 0; c <= dimensions_; ++c)
+    {
+        const ExtendedOperators::Ends ends = endsOf(c);
+        const auto known = std::ranges::find(made, ends);
+        extendedOf_[at(c)] = static_cast<std::size_t>(known - made.begin());
+        if (known != made.end()) { continue; }
+        made.push_back(ends);
+        extended_.emplace_back(lattice_, settings_.continuations, ends, settings_.kernel, settings_.laplacian, effort);
     }
 }
 
@@ -219,6 +247,13 @@ EndData BoundedFlow::endData(int component, int d) const
     const int direction = lattice_.direction(d);
     if (!lattice_.axis(direction).staggered) { return {}; }
     return {boundary_.velocity(direction, Side::low, component), boundary_.velocity(direction, Side::high, component)};
+}
+
+std::array<EndData, 3> BoundedFlow::allEndData(int component) const
+{
+    std::array<EndData, 3> data;
+    for (int d = 0; d < dimensions_; ++d) { data[at(lattice_.direction(d))] = endData(component, d); }
+    return data;
 }
 
 StartReport BoundedFlow::start(const RealField& velocity, bool project)

@@ -10,6 +10,7 @@
 #include "flow/OutflowCondition.hpp"
 #include "flow/VolumeBalance.hpp"
 #include "operators/DerivativeSymbol.hpp"
+#include "operators/ExtendedOperators.hpp"
 #include "poisson/BoundedPoisson.hpp"
 #include "poisson/ContinuedHelmholtz.hpp"
 
@@ -50,8 +51,12 @@ private:
     /// The derivative of a velocity component along an active axis, and what its walls give it.
     ContinuedDerivative& derivative(int component, int d);
     EndData endData(int component, int d) const;
+    std::array<EndData, 3> allEndData(int component) const; ///< by direction
+    /// What continuations know of a velocity component, or of the pressure: that one past the last component.
+    ExtendedOperators::Ends endsOf(int component) const;
 
     void makeDerivatives(PlanEffort effort);
+    void makeExtended(PlanEffort effort);
     void makeHelmholtz();
     /// Whether the viscous term can be taken implicitly; for viscous auto, which has a choice.
     bool canYield();
@@ -62,6 +67,11 @@ private:
     void evaluateRate(double t, double nu);
     /// u += dt (g F^k + z F^{k-1}); the rates change places.
     void addRates(const Substep& substep, double dt);
+    /// rate += -carrier du + nu d2u along an axis, for a velocity component; the axes one after the other from 0.
+    void addTransport(int component, int d, std::span<const double> u, std::span<const double> carrier, double nu,
+                      std::span<double> rate);
+    void slopeOfVelocity(const RealField& u, int d, std::span<double> slope);   ///< of component d along axis d
+    void slopeOfPressure(const RealField& phi, int d, std::span<double> slope); ///< the axes from 0, too
     void laplacian(const RealField& u, RealField& result);
     void gradientOf(const RealField& phi, RealField& result);
     /// Tangential wall values = what the walls prescribe + period D phi: what the projection will take away again.
@@ -98,6 +108,8 @@ private:
     std::array<std::array<std::size_t, 3>, 3> derivativeOf_{}; ///< by component and axis
     std::array<std::size_t, 3> pressureDerivative_{};          ///< by axis
     std::vector<ContinuedFilter> filters_;                     ///< by axis, as derivatives_
+    std::vector<ExtendedOperators> extended_;                  ///< instead of derivatives_
+    std::array<std::size_t, 4> extendedOf_{};                  ///< by component, the pressure after the last
     std::optional<BoundedPoisson> poisson_;
     OutflowCondition outflow_;
     std::optional<VolumeBalance> balance_;      ///< where there is an outlet

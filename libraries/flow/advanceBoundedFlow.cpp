@@ -27,6 +27,43 @@ void addScaled(double factor, const RealField& b, RealField& a)
 
 } // namespace
 
+void BoundedFlow::addTransport(int component, int d, std::span<const double> u, std::span<const double> carrier,
+                               double nu, std::span<double> rate)
+{
+    if (extended_.empty())
+    {
+        derivative(component, d).addTransport(u, carrier, nu, rate, endData(component, d));
+        return;
+    }
+    ExtendedOperators& operators = extended_[extendedOf_[at(component)]];
+    if (d == 0) { operators.take(u, allEndData(component)); }
+    operators.addTransport(d, carrier, nu, rate);
+}
+
+void BoundedFlow::slopeOfVelocity(const RealField& u, int d, std::span<double> slope)
+{
+    if (extended_.empty())
+    {
+        derivative(d, d)(u[d], slope, {}, endData(d, d));
+        return;
+    }
+    ExtendedOperators& operators = extended_[extendedOf_[at(d)]];
+    operators.take(u[d], allEndData(d));
+    operators.derivative(d, slope);
+}
+
+void BoundedFlow::slopeOfPressure(const RealField& phi, int d, std::span<double> slope)
+{
+    if (extended_.empty())
+    {
+        derivatives_[pressureDerivative_[at(d)]](phi[0], slope, {});
+        return;
+    }
+    ExtendedOperators& operators = extended_[extendedOf_[at(dimensions_)]];
+    if (d == 0) { operators.take(phi[0]); }
+    operators.derivative(d, slope);
+}
+
 void BoundedFlow::evaluateRate(double t, double nu)
 {
     for (int c = 0; c < dimensions_; ++c) { std::ranges::fill(rate_[c], 0.0); }
@@ -40,7 +77,7 @@ void BoundedFlow::evaluateRate(double t, double nu)
             {
                 const auto carrier = convects ? std::span<const double>(velocity_[d]) : std::span<const double>();
                 outflow_.keep(d, rate_[c]);
-                derivative(c, d).addTransport(velocity_[c], carrier, nu, rate_[c], endData(c, d));
+                addTransport(c, d, velocity_[c], carrier, nu, rate_[c]);
                 outflow_.replace(d, velocity_[c], carrier, rate_[c]);
             }
         }
@@ -62,7 +99,7 @@ void BoundedFlow::addDivergence(const RealField& u, RealField& divergence)
     std::ranges::fill(divergence[0], 0.0);
     for (int d = 0; d < dimensions_; ++d)
     {
-        derivative(d, d)(u[d], scratch_[0], {}, endData(d, d));
+        slopeOfVelocity(u, d, scratch_[0]);
         std::ranges::transform(divergence[0], scratch_[0], divergence[0].begin(), std::plus<>());
     }
     transforms_ += 2 * dimensions_;
@@ -73,7 +110,7 @@ void BoundedFlow::subtractGradient(double period, const RealField& phi, RealFiel
     const auto scope = timings_.scope(Phase::transforms);
     for (int d = 0; d < dimensions_; ++d)
     {
-        derivatives_[pressureDerivative_[at(d)]](phi[0], scratch_[0], {});
+        slopeOfPressure(phi, d, scratch_[0]);
         std::ranges::transform(u[d], scratch_[0], u[d].begin(),
                                [period](double v, double slope) { return v - period * slope; });
     }

@@ -30,7 +30,7 @@ void BoundedFlow::laplacian(const RealField& u, RealField& result)
     for (int c = 0; c < dimensions_; ++c)
     {
         std::ranges::fill(result[c], 0.0);
-        for (int d = 0; d < dimensions_; ++d) { derivative(c, d).addTransport(u[c], {}, 1, result[c], endData(c, d)); }
+        for (int d = 0; d < dimensions_; ++d) { addTransport(c, d, u[c], {}, 1, result[c]); }
     }
     transforms_ += 2 * dimensions_ * dimensions_;
 }
@@ -38,7 +38,7 @@ void BoundedFlow::laplacian(const RealField& u, RealField& result)
 void BoundedFlow::gradientOf(const RealField& phi, RealField& result)
 {
     const auto scope = timings_.scope(Phase::transforms);
-    for (int d = 0; d < dimensions_; ++d) { derivatives_[pressureDerivative_[at(d)]](phi[0], result[d], {}); }
+    for (int d = 0; d < dimensions_; ++d) { slopeOfPressure(phi, d, result[d]); }
     transforms_ += 2 * dimensions_;
 }
 
