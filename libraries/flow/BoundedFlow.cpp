@@ -33,6 +33,13 @@ EndCondition velocityEnd(const FaceCondition& face, bool normal, bool staggered)
     return EndCondition::dirichlet;
 }
 
+/// The same for a viscous term by itself: it must not have an end that nothing holds (OutflowCondition), so at outlets
+/// the velocity does not change along the normal.
+EndCondition viscousCondition(const FaceCondition& face, bool normal, bool staggered)
+{
+    return face.velocity == VelocityCondition::outflow ? EndCondition::neumann : velocityEnd(face, normal, staggered);
+}
+
 EndCondition pressureEnd(const FaceCondition& face, bool staggered)
 {
     return staggered && endOf(face) == End::neumann ? EndCondition::neumann : EndCondition::dirichlet;
@@ -82,6 +89,11 @@ BoundedFlow::BoundedFlow(const Lattice& lattice, const Fluid& fluid, const FlowS
         for (auto& side : slopes_[at(d)]) { side.assign(facePoints, 0.0); }
     }
     if (VolumeBalance::concerns(lattice_, boundary_)) { balance_.emplace(lattice_, boundary_); }
+    if (balance_ && marches(WallTreatment::slip))
+    {
+        throw Error(Fault::input, "walls slip makes the flow at an outlet grow without limit",
+                    "write walls consistent; in system/schemes");
+    }
     const bool closes = marches(WallTreatment::consistent) || marches(WallTreatment::pressurePoisson);
     if (boundedAxes != 1 || lattice_.activeAxis(*closedAxis_).staggered || !closes) { closedAxis_.reset(); }
     if (settings_.directPressure)
@@ -112,7 +124,9 @@ BoundedFlow::BoundedFlow(const Lattice& lattice, const Fluid& fluid, const FlowS
         if (marches(WallTreatment::pressurePoisson)) { laplacian_ = RealField(dimensions_, points); }
     }
     if (settings_.crankNicolson && fluid_.nu > 0) { makeHelmholtz(); }
-    mayYield_ = settings_.automaticViscous && fluid_.nu > 0 && marches(WallTreatment::consistent);
+    // Increments of the pressure, which an implicit term needs, suffer where an inlet meets a wall: not unless asked
+    // for.
+    mayYield_ = settings_.automaticViscous && fluid_.nu > 0 && marches(WallTreatment::consistent) && !balance_;
 }
 
 bool BoundedFlow::keepsPressure() const
@@ -173,6 +187,12 @@ void BoundedFlow::makeDerivatives(PlanEffort effort)
         {
             const auto [low, high] = endsOf(c)[direction];
             (c < dimensions_ ? derivativeOf_[at(c)] : pressureDerivative_)[at(d)] = make(d, low, high);
+            if (c == dimensions_) { continue; }
+            const auto viscous = [&](Side side) {
+                return viscousCondition(boundary_.face(lattice_.direction(d), side), c == d,
+                                        lattice_.activeAxis(d).staggered);
+            };
+            viscousDerivativeOf_[at(c)][at(d)] = make(d, viscous(Side::low), viscous(Side::high));
         }
     }
 }
@@ -223,8 +243,8 @@ void BoundedFlow::makeHelmholtz()
             {
                 const FaceCondition& low = boundary_.face(direction, Side::low);
                 const FaceCondition& high = boundary_.face(direction, Side::high);
-                continued.continuation.emplace(*continuation, axis.count, velocityEnd(low, c == d, axis.staggered),
-                                               velocityEnd(high, c == d, axis.staggered));
+                continued.continuation.emplace(*continuation, axis.count, viscousCondition(low, c == d, axis.staggered),
+                                               viscousCondition(high, c == d, axis.staggered));
                 continued.low = viscousEnd(low, c == d, axis.staggered);
                 continued.high = viscousEnd(high, c == d, axis.staggered);
                 length = continued.continuation->extendedPoints();
@@ -319,6 +339,8 @@ StepRates BoundedFlow::rates()
 
 bool BoundedFlow::canYield()
 {
+    // Increments of the pressure work until no divergence is left, at such corners at the expense of all the flow.
+    if (boundary_.flowsThroughCorners()) { return false; }
     if (!helmholtz_.empty() || !mayYield_) { return mayYield_; }
     try
     {
@@ -326,7 +348,7 @@ bool BoundedFlow::canYield()
     }
     catch (const Error&)
     {
-        // An outlet, or a kernel whose second derivative has no real eigenvectors: the term stays explicit.
+        // A kernel whose second derivative has no real eigenvectors: the term stays explicit.
         helmholtz_.clear();
         mayYield_ = false;
     }

@@ -105,11 +105,12 @@ private:
     int dimensions_;
     OperatorBounds bounds_;
     std::vector<ContinuedDerivative> derivatives_;
-    std::array<std::array<std::size_t, 3>, 3> derivativeOf_{}; ///< by component and axis
-    std::array<std::size_t, 3> pressureDerivative_{};          ///< by axis
-    std::vector<ContinuedFilter> filters_;                     ///< by axis, as derivatives_
-    std::vector<ExtendedOperators> extended_;                  ///< instead of derivatives_
-    std::array<std::size_t, 4> extendedOf_{};                  ///< by component, the pressure after the last
+    std::array<std::array<std::size_t, 3>, 3> derivativeOf_{};        ///< by component and axis
+    std::array<std::array<std::size_t, 3>, 3> viscousDerivativeOf_{}; ///< of a viscous term by itself
+    std::array<std::size_t, 3> pressureDerivative_{};                 ///< by axis
+    std::vector<ContinuedFilter> filters_;                            ///< by axis, as derivatives_
+    std::vector<ExtendedOperators> extended_;                         ///< instead of derivatives_
+    std::array<std::size_t, 4> extendedOf_{};                         ///< by component, the pressure after the last
     std::optional<BoundedPoisson> poisson_;
     OutflowCondition outflow_;
     std::optional<VolumeBalance> balance_;      ///< where there is an outlet

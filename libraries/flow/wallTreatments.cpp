@@ -30,7 +30,15 @@ void BoundedFlow::laplacian(const RealField& u, RealField& result)
     for (int c = 0; c < dimensions_; ++c)
     {
         std::ranges::fill(result[c], 0.0);
-        for (int d = 0; d < dimensions_; ++d) { addTransport(c, d, u[c], {}, 1, result[c]); }
+        for (int d = 0; d < dimensions_; ++d)
+        {
+            if (!extended_.empty())
+            {
+                addTransport(c, d, u[c], {}, 1, result[c]);
+                continue;
+            }
+            derivatives_[viscousDerivativeOf_[at(c)][at(d)]].addTransport(u[c], {}, 1, result[c], endData(c, d));
+        }
     }
     transforms_ += 2 * dimensions_ * dimensions_;
 }

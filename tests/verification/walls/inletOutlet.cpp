@@ -143,6 +143,37 @@ TEST(InletOutlet, poiseuilleStaysExact)
     }
 }
 
+TEST(InletOutlet, poiseuilleStaysUnderOtherTreatments)
+{
+    struct Case
+    {
+        WallTreatment walls;
+        bool crankNicolson;
+        double dt;
+        double bound = 1e-8;
+    };
+    for (const Case& how :
+         {Case{WallTreatment::paper, false, 0.005, 1e-3}, Case{WallTreatment::incremental, false, 0.005},
+          Case{WallTreatment::rotational, false, 0.005}, Case{WallTreatment::pressurePoisson, false, 0.005},
+          Case{WallTreatment::consistent, true, 0.03}})
+    {
+        const Lattice lattice = channel(16, 2);
+        FlowSettings settings = boundedSettings(lattice);
+        settings.walls = how.walls;
+        settings.crankNicolson = how.crankNicolson;
+        Faces faces;
+        faces[0][0] = movingWall("inlet", parabola, false);
+        faces[0][1] = outlet();
+        faces[1] = {wallAtRest("walls"), wallAtRest("walls")};
+        BoundedRun run(lattice, Fluid{.nu = 0.05}, std::move(settings), std::move(faces));
+        run.start([](int c, double x, double y, double z) { return parabola(c, x, y, z, 0); });
+        run.march(1.5, static_cast<int>(std::lround(1.5 / how.dt)));
+        EXPECT_LT(largestDifference(run.flow.velocity(), exact(lattice, parabola, 0)), how.bound)
+            << static_cast<int>(how.walls) << how.crankNicolson;
+        EXPECT_NEAR(fluxThroughAll(run), 0, 1e-13);
+    }
+}
+
 TEST(InletOutlet, uniformInflowDevelops)
 {
     // From Stokes' flow to Re = 20; the length needed to develop grows with Re.
