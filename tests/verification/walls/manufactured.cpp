@@ -81,7 +81,7 @@ struct Errors
 };
 
 Errors errorsAt(bool box, int intervals, double end, WallTreatment walls = WallTreatment::consistent, int steps = 0,
-                bool crankNicolson = false, double nu = 0.01)
+                bool crankNicolson = false, double nu = 0.01, bool direct = false)
 {
     const Manufactured flow{box, nu};
     const Lattice lattice = unitBox(intervals, intervals, box);
@@ -94,6 +94,7 @@ Errors errorsAt(bool box, int intervals, double end, WallTreatment walls = WallT
     FlowSettings settings = boundedSettings(lattice);
     settings.walls = walls;
     settings.crankNicolson = crankNicolson;
+    settings.directPressure = direct;
     BoundedRun run(lattice, std::move(fluid), std::move(settings), std::move(faces));
     run.start([flow](int c, double x, double y, double) { return flow.velocity(c, x, y, 0); }, false);
     const double h = 1.0 / intervals;
@@ -198,5 +199,27 @@ TEST(BoundedManufactured, crankNicolsonIsOfSecondOrderInLongSteps)
         record(box ? "Crank-Nicolson, box, 80 steps" : "Crank-Nicolson, channel, 80 steps", errors.back());
         EXPECT_LE(errors.back(), 2.5e-5);
         EXPECT_GE(std::log2(errors[1] / errors[3]) / 2, 1.8);
+    }
+}
+
+// p { solver direct; }: what the pressure is to the continued operators themselves.
+TEST(BoundedManufactured, directPressureIsOfHighOrder)
+{
+    constexpr std::array<int, 3> intervals{24, 32, 48};
+    for (const bool box : {false, true})
+    {
+        std::vector<Errors> found;
+        for (const int n : intervals)
+        {
+            found.push_back(errorsAt(box, n, 0.25, WallTreatment::consistent, 0, false, 0.01, true));
+            const std::string name = std::string("direct, ") + (box ? "box" : "channel") + " N " + std::to_string(n);
+            record(name, found.back().velocity);
+            record(name + ", pressure", found.back().pressure);
+        }
+        const double decades = std::log(48.0 / 24);
+        EXPECT_GE(std::log(found.front().velocity / found.back().velocity) / decades, 4.0);
+        EXPECT_GE(std::log(found.front().pressure / found.back().pressure) / decades, 3.0);
+        EXPECT_LE(found.back().velocity, 1e-6);
+        EXPECT_LE(found.back().pressure, 5e-6);
     }
 }
