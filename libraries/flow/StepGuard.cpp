@@ -10,7 +10,10 @@ namespace isph
 StabilityMargin StepGuard::judge(const StepRates& rates, double dt)
 {
     const StabilityMargin margin = stabilityMargin(scheme_, rates, dt);
-    const double stable = largestStableStep(scheme_, rates);
+    StepRates bearing = rates;
+    if (viscousTermYields(scheme_, rates, dt)) { bearing.viscous = 0; }
+    const double stable = largestStableStep(scheme_, bearing);
+    if (margin.convectionRules()) { longest_ = std::max(longest_, dt); }
     largestMargin_ = std::max(largestMargin_, dt / stable);
     if (dt > stable && !warned_)
     {
@@ -27,17 +30,25 @@ std::optional<Error> StepGuard::divergence(const StepRates& rates, double dt, co
 {
     const bool finite = std::isfinite(rates.courant) && std::isfinite(rates.convective);
     const double over = finite ? stabilityMargin(scheme_, rates, dt).convective : 0;
-    if (finite && over <= divergedCo_) { return std::nullopt; }
+    const bool collapsed = dt < 1e-4 * longest_ && control.settings().endTime - control.time() > 1e5 * dt &&
+                           rates.convective > 0 && largestStableStep(scheme_, rates) < 2 * dt;
+    if (finite && over <= divergedCo_ && !collapsed) { return std::nullopt; }
 
     const std::string what =
-        finite
+        collapsed
+            ? fmt::format("the solution diverged before time {}: speeds have grown until the stable step is {:.3g} s, "
+                          "{:.1g} of the longest one",
+                          control.timeName(), dt, dt / longest_)
+        : finite
             ? fmt::format("the solution diverged in the step after time {}: the Courant number reached {:.3g}, {:.3g} "
                           "times the stable one",
                           control.timeName(), dt * rates.courant, over)
             : fmt::format("the solution diverged in the step after time {}: the velocity is no longer finite",
                           control.timeName());
-    return diverged(what, "the flow is under-resolved or the scheme is not robust for it; try convection divergence; "
-                          "dealiasing twoThirds; filter { type exponential; }, or more points");
+    return diverged(what,
+                    "the flow is under-resolved or the scheme is not robust for it; try more points, "
+                    "filter { type exponential; }, between walls another continuation, in periodic boxes convection "
+                    "divergence; dealiasing twoThirds");
 }
 
 Error StepGuard::diverged(const std::string& what, const std::string& advice) const

@@ -23,8 +23,9 @@ public:
     /// Margin of the next step; warns, once a run, of a step above the limit.
     StabilityMargin judge(const StepRates& rates, double dt);
 
-    /// The error if the state after a step of dt has diverged: anything not finite, or a Courant number divergedCo
-    /// times the stable one.
+    /// The error if the state after a step of dt has diverged: anything not finite, a Courant number divergedCo times
+    /// the stable one, or steps that have shrunk, as speeds grew, until the run would not end: 1e-4 of the longest one
+    /// that convection ruled, with 1e5 of them to go.
     std::optional<Error> divergence(const StepRates& rates, double dt, const TimeControl& control) const;
 
     /// The error of a run that has diverged.
@@ -38,7 +39,8 @@ private:
     double divergedCo_;
     bool warned_ = false;
     double largestMargin_ = 0;
-    double stable_ = 0; ///< step at the time of the warning [s]
+    double longest_ = 0; ///< step that convection ruled [s]
+    double stable_ = 0;  ///< step at the time of the warning [s]
 };
 
 } // namespace isph

@@ -1,0 +1,65 @@
+#include "flow/StepGuard.hpp"
+
+#include "support/flows.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace isph;
+using namespace isph::test;
+
+namespace
+{
+
+StepRates ratesOf(double convective, double viscous = 0)
+{
+    StepRates rates;
+    rates.convective = rates.courant = convective;
+    rates.viscous = viscous;
+    return rates;
+}
+
+} // namespace
+
+TEST(StepGuard, EndsARunWhoseStepsShrinkForEver)
+{
+    Log log(Log::Report::none);
+    StepGuard guard(log, *scheme("RK3"), 100);
+    TimeSettings settings;
+    settings.endTime = 1000;
+    const TimeControl control(settings, TimeState{});
+
+    guard.judge(ratesOf(10), 0.1);
+    EXPECT_FALSE(guard.divergence(ratesOf(10), 0.1, control));
+    // A thousand times faster: a flow that has got going.
+    EXPECT_FALSE(guard.divergence(ratesOf(1e4), 1e-4, control));
+    // A step that is short for the sake of output is no sign of anything.
+    EXPECT_FALSE(guard.divergence(ratesOf(10), 1e-9, control));
+
+    const auto diverged = guard.divergence(ratesOf(2e5), 5e-6, control);
+    ASSERT_TRUE(diverged);
+    EXPECT_NE(std::string(diverged->what()).find("speeds have grown"), std::string::npos);
+}
+
+TEST(StepGuard, DoesNotMindStepsThatFrictionRuled)
+{
+    Log log(Log::Report::none);
+    StepGuard guard(log, *scheme("RK3"), 100);
+    TimeSettings settings;
+    settings.endTime = 1000;
+    const TimeControl control(settings, TimeState{});
+    guard.judge(ratesOf(1e-9, 10), 0.2);
+    guard.judge(ratesOf(2e4, 10), 5e-5);
+    EXPECT_FALSE(guard.divergence(ratesOf(2e5, 10), 5e-6, control));
+}
+
+TEST(StepGuard, DoesNotWarnOfATermThatYields)
+{
+    Log log(Log::Report::none);
+    StepGuard guard(log, *scheme("RK3"), 100);
+    StepRates rates = ratesOf(1, 1000);
+    rates.viscousYields = true;
+    testing::internal::CaptureStderr();
+    const StabilityMargin margin = guard.judge(rates, 1);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_EQ(margin.viscous, 0);
+}
