@@ -296,6 +296,18 @@ void FlowBoundary::imposeNormal(RealField& U) const
     }
 }
 
+bool FlowBoundary::flowsThroughCorners() const
+{
+    for (int d = 0; d < lattice_.dimensions(); ++d)
+    {
+        for (const Face& face : faces_[at(lattice_.direction(d))])
+        {
+            if (face.onPoints && !std::ranges::equal(face.velocity[at(d)], face.own[at(d)])) { return true; }
+        }
+    }
+    return false;
+}
+
 FlowBoundary::Flux FlowBoundary::flux(Quadrature quadrature) const
 {
     Flux flux;

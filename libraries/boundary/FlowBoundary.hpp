@@ -126,6 +126,10 @@ public:
     /// Each face counts with its own data: the corner of a moving lid is no flow through the wall beside it.
     Flux flux(Quadrature quadrature = Quadrature::plain) const;
 
+    /// Whether the current data of a point that faces share go through one of them that does not let it through: a lid
+    /// that moves towards the wall beside it. The flow is singular there, and its divergence cannot vanish.
+    bool flowsThroughCorners() const;
+
     /// Two faces that prescribe different velocities at a point they share, neither of them zero.
     struct Contradiction
     {

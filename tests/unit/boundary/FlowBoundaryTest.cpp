@@ -55,6 +55,15 @@ TEST(FlowBoundary, AMovingLidOwnsItsCorners)
     EXPECT_THAT(boundary.velocity(1, Side::high, 0), Each(1));
     EXPECT_FALSE(boundary.dependsOnTime());
     EXPECT_FALSE(boundary.fixesPressure());
+    EXPECT_TRUE(boundary.flowsThroughCorners());
+}
+
+TEST(FlowBoundary, NothingFlowsThroughTheCornersOfWallsAtRest)
+{
+    const Lattice lattice = box(closedSquare, {4, 3, 1});
+    FlowBoundary boundary(lattice, walls());
+    boundary.update(0);
+    EXPECT_FALSE(boundary.flowsThroughCorners());
 }
 
 TEST(FlowBoundary, NormalComponentsAloneLetTheRestSlip)
