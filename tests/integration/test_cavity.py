@@ -30,6 +30,9 @@ class Cavity(CavityTest):
     def test_re100(self):
         self.check_extrema(self.cavity(100, 48, 20), 100, 0.01)
 
+    def test_re100_where_friction_rules_the_step(self):
+        self.check_profiles(self.cavity(100, 72, 8), 100, 0.006)
+
     def test_re100_degree3(self):
         self.check_extrema(self.cavity(100, 48, 20, continuation__degree="3"), 100, 0.005)
 
