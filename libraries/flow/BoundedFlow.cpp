@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace isph
 {
@@ -53,6 +54,25 @@ LineEnd viscousEnd(const FaceCondition& face, bool normal, bool staggered)
     return given && !staggered ? LineEnd::value : LineEnd::free;
 }
 
+/// What flows out is differenced from inside.
+void requirePointsBehindOutlets(const Lattice& lattice, const FlowBoundary& boundary)
+{
+    constexpr int least = 4;
+    for (int d = 0; d < lattice.dimensions(); ++d)
+    {
+        const Axis& axis = lattice.activeAxis(d);
+        if (axis.periodic() || axis.count >= least) { continue; }
+        for (const Side side : {Side::low, Side::high})
+        {
+            if (boundary.face(lattice.direction(d), side).velocity != VelocityCondition::outflow) { continue; }
+            throw Error(
+                Fault::input,
+                fmt::format("axis {} has an outlet, which needs {} points, but has {}", axis.name, least, axis.count),
+                "take more lattice points in system/latticeDict");
+        }
+    }
+}
+
 } // namespace
 
 BoundedFlow::BoundedFlow(const Lattice& lattice, const Fluid& fluid, const FlowSettings& settings,
@@ -88,6 +108,7 @@ BoundedFlow::BoundedFlow(const Lattice& lattice, const Fluid& fluid, const FlowS
         const std::size_t facePoints = lattice_.points() / at(axis.count);
         for (auto& side : slopes_[at(d)]) { side.assign(facePoints, 0.0); }
     }
+    requirePointsBehindOutlets(lattice_, boundary_);
     if (VolumeBalance::concerns(lattice_, boundary_)) { balance_.emplace(lattice_, boundary_); }
     if (balance_ && marches(WallTreatment::slip))
     {
@@ -95,7 +116,8 @@ BoundedFlow::BoundedFlow(const Lattice& lattice, const Fluid& fluid, const FlowS
                     "write walls consistent; in system/schemes");
     }
     const bool closes = marches(WallTreatment::consistent) || marches(WallTreatment::pressurePoisson);
-    if (boundedAxes != 1 || lattice_.activeAxis(*closedAxis_).staggered || !closes) { closedAxis_.reset(); }
+    const Axis& last = lattice_.activeAxis(*closedAxis_);
+    if (boundedAxes != 1 || last.staggered || last.count < pointsOfSlopes || !closes) { closedAxis_.reset(); }
     if (settings_.directPressure)
     {
         direct_.emplace(lattice_, continuedAxes(lattice_, settings_.continuations, settings_.kernel, ends), effort);
@@ -127,6 +149,7 @@ BoundedFlow::BoundedFlow(const Lattice& lattice, const Fluid& fluid, const FlowS
     // Increments of the pressure, which an implicit term needs, suffer where an inlet meets a wall: not unless asked
     // for.
     mayYield_ = settings_.automaticViscous && fluid_.nu > 0 && marches(WallTreatment::consistent) && !balance_;
+    fingerprint_ = probe();
 }
 
 bool BoundedFlow::keepsPressure() const

@@ -41,7 +41,7 @@ public:
     const RealField& pressure(double t) override;
     const RealField& divergence() override;
     long transforms() const override { return transforms_; }
-    std::string planFingerprint() const override { return "estimated"; }
+    std::string planFingerprint() const override { return fingerprint_; }
 
     std::string_view viscousStep() const override;
 
@@ -58,6 +58,8 @@ private:
     void makeDerivatives(PlanEffort effort);
     void makeExtended(PlanEffort effort);
     void makeHelmholtz();
+    /// A hash of what the operators make of noise: plans that differ show in its last bits.
+    std::string probe();
     /// Whether the viscous term can be taken implicitly; for viscous auto, which has a choice.
     bool canYield();
     bool marches(WallTreatment treatment) const { return settings_.walls == treatment; }
@@ -84,6 +86,8 @@ private:
     void addDivergence(const RealField& u, RealField& divergence);
     /// u -= period D phi.
     void subtractGradient(double period, const RealField& phi, RealField& u);
+    /// A time in which walls that move hardly change their speed [s].
+    double pauseAt(double t) const;
     /// What walls have done to the velocity since t, in slopes_: less their acceleration.
     void subtractAcceleration(double t);
     /// Solves lap phi = div u/period with what slopes_ says at the faces. \param keepsWalls u has what walls prescribe
@@ -96,6 +100,7 @@ private:
     /// ... but where the pressure itself is prescribed, or its slope.
     void readPressures();
     void slopesOfSource(int d);
+    static constexpr int pointsOfSlopes = 6;
 
     Lattice lattice_;
     const Fluid& fluid_;
@@ -133,6 +138,7 @@ private:
     RealField laplacian_;
     RealField increment_; ///< of the pressure, or the divergence
     RealField pressure_;
+    std::string fingerprint_;
     double lastStep_ = 0;
     double explicitRate_ = 0;    ///< one over the largest step with every term explicit
     bool pressureKnown_ = false; ///< phi_ is one

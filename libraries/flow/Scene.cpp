@@ -1,11 +1,15 @@
 #include "flow/Scene.hpp"
 
+#include "core/Error.hpp"
 #include "flow/BoundedFlow.hpp"
 #include "flow/PhysicalFlow.hpp"
 #include "flow/readFlowSettings.hpp"
 #include "flow/readFluid.hpp"
 #include "flow/SpectralFlow.hpp"
 #include "lattice/readLattice.hpp"
+
+#include <utility>
+#include <vector>
 
 namespace isph
 {
@@ -20,13 +24,33 @@ Scene::Scene(const Case& flowCase, const std::string& time)
 {
 }
 
-std::unique_ptr<IncompressibleFlow> makeFlow(Scene& scene, Timings& timings, PlanEffort effort)
+namespace
 {
-    if (!scene.lattice.periodic())
+
+/// Schemes that do not go together on this lattice, as only their making shows, are told with their file.
+std::unique_ptr<IncompressibleFlow> makeBoundedFlow(Scene& scene, Timings& timings, PlanEffort effort)
+{
+    try
     {
         return std::make_unique<BoundedFlow>(scene.lattice, scene.fluid, scene.settings, scene.boundary, timings,
                                              effort);
     }
+    catch (const Error& error)
+    {
+        std::vector<Complaint> complaints = error.complaints();
+        for (Complaint& complaint : complaints)
+        {
+            if (complaint.origin.file.empty()) { complaint.origin.file = "system/schemes"; }
+        }
+        throw Error(error.fault(), std::move(complaints));
+    }
+}
+
+} // namespace
+
+std::unique_ptr<IncompressibleFlow> makeFlow(Scene& scene, Timings& timings, PlanEffort effort)
+{
+    if (!scene.lattice.periodic()) { return makeBoundedFlow(scene, timings, effort); }
     if (scene.settings.directSum)
     {
         return std::make_unique<PhysicalFlow>(scene.lattice, scene.fluid, scene.settings, timings);

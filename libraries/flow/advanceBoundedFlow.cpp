@@ -172,7 +172,7 @@ void BoundedFlow::readPressures()
 void BoundedFlow::slopesOfSource(int d)
 {
     // One-sided differences of fifth order.
-    constexpr std::array<double, 6> weights{-137.0 / 60, 5, -5, 10.0 / 3, -5.0 / 4, 1.0 / 5};
+    constexpr std::array<double, pointsOfSlopes> weights{-137.0 / 60, 5, -5, 10.0 / 3, -5.0 / 4, 1.0 / 5};
     const int direction = lattice_.direction(d);
     const LineLayout lines = linesAlong(lattice_, direction);
     const double spacing = lattice_.axis(direction).spacing();

@@ -1,7 +1,9 @@
 #include "flow/readFlowSettings.hpp"
 
 #include "continuation/continuationSelection.hpp"
+#include "core/Error.hpp"
 #include "kernels/kernelSelection.hpp"
+#include "operators/continuedBounds.hpp"
 
 #include <string>
 
@@ -97,6 +99,20 @@ std::string describeContinuation(const Dictionary& continuation)
     return type + ", degree " + std::to_string(automatic ? automaticDegree(type) : continuation.integer("degree"));
 }
 
+/// A kernel that is sampled has to fit on every line.
+void checkReach(const Dictionary& schemes, const Lattice& lattice, const FlowSettings& settings)
+{
+    try
+    {
+        continuedBounds(lattice, settings.continuations, settings.kernel, settings.laplacian);
+    }
+    catch (const Error& error)
+    {
+        const Complaint& slip = error.complaints().front();
+        throw schemes.error("kernel", slip.what, slip.advice);
+    }
+}
+
 /// What acts along lines between walls, and what does not.
 void readBounded(const Dictionary& schemes, const Dictionary& solution, const Lattice& lattice, FlowSettings& settings)
 {
@@ -152,11 +168,24 @@ void readBounded(const Dictionary& schemes, const Dictionary& solution, const La
     settings.crankNicolson = viscous == ViscousTreatment::crankNicolson;
     settings.automaticViscous = viscous == ViscousTreatment::automatic && !settings.extended;
     settings.directPressure = p.word("solver").text == "direct";
+    if (settings.directPressure && lattice.staggered())
+    {
+        throw p.error("solver", "direct needs points on the walls, but the lattice is staggered",
+                      "write solver fft; or arrangement collocated; in system/latticeDict");
+    }
     if (settings.crankNicolson && settings.extended)
     {
         throw schemes.error("viscous", "CrankNicolson works line by line, continuation.extended does not",
                             "write viscous explicit; or extended no;");
     }
+    if (settings.crankNicolson && settings.walls != WallTreatment::consistent)
+    {
+        throw schemes.error("viscous",
+                            "CrankNicolson goes with walls consistent only, but walls is " +
+                                std::string(wallTreatments().nameOf(settings.walls)),
+                            "write viscous explicit; or walls consistent;");
+    }
+    checkReach(schemes, lattice, settings);
 }
 
 } // namespace

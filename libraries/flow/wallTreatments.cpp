@@ -1,6 +1,9 @@
 #include "flow/BoundedFlow.hpp"
 
+#include "flow/convectiveRates.hpp"
+
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace isph
@@ -97,10 +100,25 @@ void BoundedFlow::projectIncrement(double period)
     if (marches(WallTreatment::rotational)) { addScaled(-fluid_.nu * period, source_, phi_); }
 }
 
+double BoundedFlow::pauseAt(double t) const
+{
+    double scale = lastStep_;
+    if (scale == 0)
+    {
+        StepRates rates;
+        addConvectiveRates(lattice_, velocity_, bounds_, 0, rates);
+        const double rate = rates.convective + fluid_.nu * bounds_.laplacian;
+        // Where nothing moves yet and nothing diffuses, no time is longer than another.
+        scale = rate > 0 ? 1 / rate : 1;
+    }
+    // Late times have no digits left for short pauses.
+    return std::max(0.01 * scale, 1e-8 * std::abs(t));
+}
+
 void BoundedFlow::subtractAcceleration(double t)
 {
     if (!boundary_.dependsOnTime()) { return; }
-    const double pause = 0.01 * (lastStep_ > 0 ? lastStep_ : 1 / (rates().convective + rates().viscous));
+    const double pause = pauseAt(t);
     const double before = std::max(t - pause, std::min(t, 0.0));
     const double weight = 1 / (t + pause - before);
     boundary_.update(t + pause);
