@@ -1,4 +1,4 @@
-// isphFoam: incompressible SPH in a box by fast transforms.
+// isphFoam: incompressible SPH in a box, periodic or with walls, by fast transforms.
 //
 //     makeLattice -case taylorGreen2D
 //     isphFoam -case taylorGreen2D
@@ -112,8 +112,8 @@ static void run(const CommandLine& line, Log& log)
 int main(int argc, char** argv)
 {
     Application application{.name = "isphFoam",
-                            .summary = "Incompressible SPH in a box by fast transforms.",
-                            .examples = "isphFoam -case taylorGreen2D\n"
+                            .summary = "Incompressible SPH in a box, periodic or with walls, by fast transforms.",
+                            .examples = "isphFoam -case cavity\n"
                                         "isphFoam -case taylorGreen2D -postProcess -latestTime",
                             .options = {{"postProcess", "", "run the functions on the times already written"},
                                         {"noFunctionObjects", "", "do not run the functions of controlDict"},
