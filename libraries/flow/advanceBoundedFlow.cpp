@@ -30,18 +30,25 @@ void addScaled(double factor, const RealField& b, RealField& a)
 void BoundedFlow::addTransport(int component, int d, std::span<const double> u, std::span<const double> carrier,
                                double nu, std::span<double> rate)
 {
+    transforms_ += (carrier.empty() ? 0 : 1) + (nu > 0 ? 1 : 0);
     if (extended_.empty())
     {
+        ++transforms_;
         derivative(component, d).addTransport(u, carrier, nu, rate, endData(component, d));
         return;
     }
     ExtendedOperators& operators = extended_[extendedOf_[at(component)]];
-    if (d == 0) { operators.take(u, allEndData(component)); }
+    if (d == 0)
+    {
+        ++transforms_;
+        operators.take(u, allEndData(component));
+    }
     operators.addTransport(d, carrier, nu, rate);
 }
 
 void BoundedFlow::slopeOfVelocity(const RealField& u, int d, std::span<double> slope)
 {
+    transforms_ += 2;
     if (extended_.empty())
     {
         derivative(d, d)(u[d], slope, {}, endData(d, d));
@@ -54,13 +61,19 @@ void BoundedFlow::slopeOfVelocity(const RealField& u, int d, std::span<double> s
 
 void BoundedFlow::slopeOfPressure(const RealField& phi, int d, std::span<double> slope)
 {
+    ++transforms_;
     if (extended_.empty())
     {
+        ++transforms_;
         derivatives_[pressureDerivative_[at(d)]](phi[0], slope, {});
         return;
     }
     ExtendedOperators& operators = extended_[extendedOf_[at(dimensions_)]];
-    if (d == 0) { operators.take(phi[0]); }
+    if (d == 0)
+    {
+        ++transforms_;
+        operators.take(phi[0]);
+    }
     operators.derivative(d, slope);
 }
 
@@ -81,7 +94,6 @@ void BoundedFlow::evaluateRate(double t, double nu)
                 outflow_.replace(d, velocity_[c], carrier, rate_[c]);
             }
         }
-        transforms_ += dimensions_ * dimensions_ * (1 + (convects ? 1 : 0) + (nu > 0 ? 1 : 0));
     }
     if (fluid_.bodyForce)
     {
@@ -102,7 +114,6 @@ void BoundedFlow::addDivergence(const RealField& u, RealField& divergence)
         slopeOfVelocity(u, d, scratch_[0]);
         std::ranges::transform(divergence[0], scratch_[0], divergence[0].begin(), std::plus<>());
     }
-    transforms_ += 2 * dimensions_;
 }
 
 void BoundedFlow::subtractGradient(double period, const RealField& phi, RealField& u)
@@ -114,7 +125,6 @@ void BoundedFlow::subtractGradient(double period, const RealField& phi, RealFiel
         std::ranges::transform(u[d], scratch_[0], u[d].begin(),
                                [period](double v, double slope) { return v - period * slope; });
     }
-    transforms_ += 2 * dimensions_;
 }
 
 void BoundedFlow::readNormal(const RealField& u, double factor, bool add)
@@ -221,12 +231,12 @@ void BoundedFlow::solvePoisson(bool keepsWalls, RealField& phi)
         };
         walls[at(direction)] = {given(Side::low, 0), given(Side::high, 1)};
     }
-    transforms_ += 2 * dimensions_;
     if (direct_)
     {
         direct_->solve(0, -1, source_[0], walls, phi[0]);
         return;
     }
+    transforms_ += extended_.empty() ? 2 * dimensions_ : 2;
     if (!closedAxis_)
     {
         poisson_->solve(source_, walls, phi);

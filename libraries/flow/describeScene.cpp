@@ -54,6 +54,15 @@ int lineTransforms(int dimensions, bool convects, bool explicitViscosity, bool p
     return momentum + thereAndBack * dimensions * (pressureByTransforms ? 3 : 2);
 }
 
+/// Transforms of the whole extended box; the pressure's count as two of them.
+int extendedTransforms(int dimensions, bool convects, bool explicitViscosity, bool pressureByTransforms)
+{
+    const int derivatives = (convects ? 1 : 0) + (explicitViscosity ? 1 : 0);
+    const int momentum = derivatives > 0 ? dimensions * (1 + dimensions * derivatives) : 0;
+    const int gradient = 1 + dimensions;
+    return momentum + 2 * dimensions + (pressureByTransforms ? 2 : 0) + gradient;
+}
+
 class Description
 {
 public:
@@ -163,11 +172,11 @@ void Description::listSchemes()
 void Description::countTransforms()
 {
     const int dimensions = lattice_.dimensions();
-    scene.transformsOfLines = bounded_;
+    scene.transformsOfLines = bounded_ && !settings_.extended;
     if (bounded_)
     {
-        scene.transformsPerSubstep =
-            lineTransforms(dimensions, convects_, viscous_ && !settings_.crankNicolson, !settings_.directPressure);
+        scene.transformsPerSubstep = (settings_.extended ? extendedTransforms : lineTransforms)(
+            dimensions, convects_, viscous_ && !settings_.crankNicolson, !settings_.directPressure);
         return;
     }
     if (settings_.directSum)

@@ -69,6 +69,20 @@ double eigenbases(const Lattice& lattice)
     return 8 * entries;
 }
 
+/// The extended box: a field continued axis by axis, its modes and theirs times a symbol, a derivative [bytes].
+double extendedBoxes(const Lattice& lattice, const FlowSettings& settings)
+{
+    double points = 1;
+    double arrays = 3;
+    for (int d = 0; d < lattice.dimensions(); ++d)
+    {
+        const auto& continuation = settings.continuations[static_cast<std::size_t>(lattice.direction(d))];
+        points *= lattice.activeAxis(d).count + (continuation ? continuation->newPoints() : 0);
+        if (continuation) { ++arrays; }
+    }
+    return 8 * arrays * points;
+}
+
 } // namespace
 
 double flowMemory(const Lattice& lattice, const Fluid& fluid, const FlowSettings& settings)
@@ -77,7 +91,8 @@ double flowMemory(const Lattice& lattice, const Fluid& fluid, const FlowSettings
     if (!lattice.periodic())
     {
         const bool dense = settings.crankNicolson || settings.automaticViscous || settings.directPressure;
-        return solverMemory(lattice, boundedStorage(dimensions, fluid, settings)) + (dense ? eigenbases(lattice) : 0);
+        return solverMemory(lattice, boundedStorage(dimensions, fluid, settings)) + (dense ? eigenbases(lattice) : 0) +
+               (settings.extended ? extendedBoxes(lattice, settings) : 0);
     }
     return solverMemory(lattice, settings.directSum ? physicalStorage(dimensions, fluid, settings)
                                                     : spectralStorage(dimensions, fluid, settings));

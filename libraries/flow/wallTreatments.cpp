@@ -43,14 +43,12 @@ void BoundedFlow::laplacian(const RealField& u, RealField& result)
             derivatives_[viscousDerivativeOf_[at(c)][at(d)]].addTransport(u[c], {}, 1, result[c], endData(c, d));
         }
     }
-    transforms_ += 2 * dimensions_ * dimensions_;
 }
 
 void BoundedFlow::gradientOf(const RealField& phi, RealField& result)
 {
     const auto scope = timings_.scope(Phase::transforms);
     for (int d = 0; d < dimensions_; ++d) { slopeOfPressure(phi, d, result[d]); }
-    transforms_ += 2 * dimensions_;
 }
 
 void BoundedFlow::presetTangential(double period)
