@@ -4,11 +4,11 @@ from tutorials import Tutorial, at
 
 
 class DipoleTest(CaseTest):
-    def dipole(self, Re, intervals, end):
+    def dipole(self, Re, intervals, end, **schemes):
         """Times and columns of flow.csv, the reference of the same Reynolds number."""
         case = Tutorial("dipoleWall")
         self.addCleanup(case.remove)
-        case.set_flow(1 / Re, (intervals, intervals), end)
+        case.set_flow(1 / Re, (intervals, intervals), end, **schemes)
         case.solve(self, sample=False)
         rows = case.table("flow")
         columns = {name: [float(row[name]) for row in rows] for name in rows[0]}
