@@ -352,7 +352,13 @@ StepRates BoundedFlow::rates()
     const auto scope = timings_.scope(Phase::pointwise);
     StepRates rates;
     if (fluid_.nu > 0 && !settings_.crankNicolson) { rates.viscous = fluid_.nu * bounds_.laplacian; }
-    addConvectiveRates(lattice_, velocity_, bounds_, fluid_.nu, rates);
+    if (lastStep_ == 0)
+    {
+        // The first step begins by giving walls their velocity.
+        before_ = copyOf(velocity_);
+        boundary_.impose(before_);
+    }
+    addConvectiveRates(lattice_, lastStep_ == 0 ? before_ : velocity_, bounds_, fluid_.nu, rates);
     if (settings_.convection == ConvectionForm::none) { rates.convective = rates.unbalancedConvection = 0; }
     rates.viscousYields = mayYield_;
     explicitRate_ = 1 / largestStableStep(*settings_.time, rates);
