@@ -63,9 +63,14 @@ void BoundedFlow::presetTangential(double period)
             for (int c = 0; c < dimensions_; ++c)
             {
                 const auto prescribed = boundary_.velocity(direction, side, c);
+                const LineLayout along = linesAlong(lattice_, lattice_.direction(c));
+                const bool meetsWalls = !lattice_.activeAxis(c).periodic();
                 for (std::size_t l = 0; c != d && l < prescribed.size(); ++l)
                 {
                     const std::size_t point = lines.start(l) + end;
+                    // In corners it is the velocity normal to another wall.
+                    const std::size_t place = point / along.inner % along.count;
+                    if (meetsWalls && (place == 0 || place + 1 == along.count)) { continue; }
                     velocity_[c][point] = prescribed[l] + period * gradient_[c][point];
                 }
             }

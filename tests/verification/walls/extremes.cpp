@@ -15,10 +15,9 @@ using std::numbers::pi;
 namespace
 {
 
-// Treatment slip is for channels: where walls meet it feeds on the pressure's slope in their corner.
-constexpr std::array<WallTreatment, 5> treatments{WallTreatment::consistent, WallTreatment::paper,
-                                                  WallTreatment::incremental, WallTreatment::rotational,
-                                                  WallTreatment::pressurePoisson};
+constexpr std::array<WallTreatment, 6> treatments{WallTreatment::slip,       WallTreatment::consistent,
+                                                  WallTreatment::paper,      WallTreatment::incremental,
+                                                  WallTreatment::rotational, WallTreatment::pressurePoisson};
 
 /// A box with points on its walls; axes without an extent are left out.
 Lattice wallBox(std::array<double, 3> extents, std::array<int, 3> intervals)
@@ -142,6 +141,8 @@ TEST(WallExtremes, thinBoxesAreStableAtTheirLimits)
     {
         for (const WallTreatment treatment : treatments)
         {
+            // The old pressure that slip relies on lags behind in thin boxes: it needs smaller steps.
+            if (treatment == WallTreatment::slip) { continue; }
             const Lattice lattice = wallBox(extents, {12, 16, 0});
             FlowSettings settings = gaussianSettings(lattice);
             settings.walls = treatment;

@@ -173,10 +173,12 @@ TEST(BoundedManufactured, incrementsAreAsGoodOnSmoothFlow)
     }
 }
 
-TEST(BoundedManufactured, presetSlipWorksInAChannelAndIsUnstableInABox)
+TEST(BoundedManufactured, presetSlipWorksInAChannelAndInABox)
 {
     EXPECT_LE(errorsAt(false, 48, 0.25, WallTreatment::slip).velocity, 8e-7);
-    EXPECT_FALSE(errorsAt(true, 48, 0.5, WallTreatment::slip).velocity < 1);
+    const double box = errorsAt(true, 48, 0.5, WallTreatment::slip).velocity;
+    record("slip, box", box);
+    EXPECT_LE(box, 5e-7);
 }
 
 TEST(BoundedManufactured, pressurePoissonHasTheBestPressureInAChannel)
