@@ -384,6 +384,16 @@ bool BoundedFlow::canYield()
     return mayYield_;
 }
 
+std::vector<std::string> BoundedFlow::cautions() const
+{
+    const bool increments = (settings_.crankNicolson && fluid_.nu > 0) || marches(WallTreatment::incremental) ||
+                            marches(WallTreatment::rotational);
+    if (!increments || !boundary_.flowsThroughCorners()) { return {}; }
+    return {
+        "a lid moves towards a wall at rest, and increments of the pressure (walls incremental or rotational, viscous "
+        "CrankNicolson) end in another flow there: 20 % off in a cavity. Write walls consistent; viscous explicit;"};
+}
+
 std::string_view BoundedFlow::viscousStep() const { return !mayYield_ ? "" : implicit_ ? "CrankNicolson" : "explicit"; }
 
 const RealField& BoundedFlow::divergence()

@@ -43,6 +43,7 @@ public:
     long transforms() const override { return transforms_; }
     std::string planFingerprint() const override { return fingerprint_; }
 
+    std::vector<std::string> cautions() const override;
     std::string_view viscousStep() const override;
 
     const OperatorBounds& bounds() const { return bounds_; }

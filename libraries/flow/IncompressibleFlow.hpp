@@ -8,6 +8,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace isph
 {
@@ -39,6 +40,9 @@ public:
 
     /// Rates of the present state, for choosing and judging a step; not finite when the state is not.
     virtual StepRates rates() = 0;
+
+    /// What a user should know of these schemes in this scene before relying on the result.
+    virtual std::vector<std::string> cautions() const { return {}; }
 
     /// How the last step took the viscous term, where steps differ in that; else empty.
     virtual std::string_view viscousStep() const { return {}; }

@@ -43,6 +43,14 @@ class Cavity(CavityTest):
     def test_re1000(self):
         self.check_extrema(self.cavity(1000, 64, 60), 1000, 0.017)
 
+    def test_increments_of_the_pressure_are_warned_of(self):
+        for schemes in ({"viscous": "CrankNicolson"}, {"walls": "incremental"}):
+            case = Tutorial("cavity")
+            self.addCleanup(case.remove)
+            case.set_flow(0.01, (16, 16), 0.1, **schemes)
+            self.succeeds(case, "makeLattice")
+            self.assertIn("increments of the pressure", self.succeeds(case, "isphFoam").stderr)
+
     def test_re10000_coarse_stays_bounded(self):
         case = self.cavity(10000, 64, 8)
         self.assertEqual(case.report()["endedBecause"], "endTime")

@@ -50,6 +50,7 @@ static void run(const CommandLine& line, Log& log)
     const auto flow = makeFlow(scene, timings);
     const StartReport started = readFlow(flowCase, start.folder.name, start.restart, scene, *flow);
     warnOfOtherPlans(flowCase, start, *flow, log);
+    for (const std::string& caution : flow->cautions()) { log.warning(caution); }
     RunLog runLog(log, line.has("verbose"), control, report, linesOn(started));
     StepGuard guard(log, scheme, control.settings().divergedCo);
     SteadyCheck steady(control.settings().steadyTolerance, *flow);
