@@ -137,6 +137,14 @@ BoundedFlow::BoundedFlow(const Lattice& lattice, const Fluid& fluid, const FlowS
     scratch_ = RealField(1, points);
     source_ = RealField(1, points);
     phi_ = RealField(1, points);
+    for (int d = 0; d < dimensions_ && poisson_ && extended_.empty() && !periodicSlope_; ++d)
+    {
+        const Axis& axis = lattice_.activeAxis(d);
+        if (!axis.periodic()) { continue; }
+        slope_ = RealField(1, points);
+        periodicSymbol_ = lineSymbolOf(settings_.kernel, settings_.laplacian, axis.count, axis.spacing()).first;
+        periodicSlope_.emplace(PeriodicSlope{lattice_.direction(d), periodicSymbol_, slope_[0]});
+    }
     if (fluid_.bodyForce) { force_ = RealField(dimensions_, points); }
     if (keepsPressure())
     {

@@ -85,7 +85,7 @@ private:
     void advanceByPressurePoisson(const Substep& substep, double t, double dt);
     void finishStep(const Substep& substep);
     void addDivergence(const RealField& u, RealField& divergence);
-    /// u -= period D phi.
+    /// u -= period D phi, phi what solvePoisson found last.
     void subtractGradient(double period, const RealField& phi, RealField& u);
     /// A time in which walls that move hardly change their speed [s].
     double pauseAt(double t) const;
@@ -122,7 +122,11 @@ private:
     std::optional<VolumeBalance> balance_;      ///< where there is an outlet
     std::optional<ContinuedHelmholtz> direct_;  ///< solver direct
     std::vector<ContinuedHelmholtz> helmholtz_; ///< by velocity component; made when first needed
-    std::optional<int> closedAxis_;             ///< the only bounded axis: its pressure is fourth order
+    /// Slopes of the pressure along the first periodic axis come with its solution, for one transform less.
+    std::optional<PeriodicSlope> periodicSlope_;
+    std::vector<double> periodicSymbol_;
+    RealField slope_;
+    std::optional<int> closedAxis_; ///< the only bounded axis: its pressure is fourth order
     std::array<std::array<std::vector<double>, 2>, 3> slopes_;
     std::array<std::vector<double>, 2> sourceSlopes_;
 

@@ -121,8 +121,9 @@ void BoundedFlow::subtractGradient(double period, const RealField& phi, RealFiel
     const auto scope = timings_.scope(Phase::transforms);
     for (int d = 0; d < dimensions_; ++d)
     {
-        slopeOfPressure(phi, d, scratch_[0]);
-        std::ranges::transform(u[d], scratch_[0], u[d].begin(),
+        const bool known = periodicSlope_ && periodicSlope_->direction == lattice_.direction(d);
+        if (!known) { slopeOfPressure(phi, d, scratch_[0]); }
+        std::ranges::transform(u[d], (known ? slope_ : scratch_)[0], u[d].begin(),
                                [period](double v, double slope) { return v - period * slope; });
     }
 }
@@ -237,13 +238,15 @@ void BoundedFlow::solvePoisson(bool keepsWalls, RealField& phi)
         return;
     }
     transforms_ += extended_.empty() ? 2 * dimensions_ : 2;
+    const PeriodicSlope* slope = periodicSlope_ ? &*periodicSlope_ : nullptr;
+    if (slope != nullptr) { ++transforms_; }
     if (!closedAxis_)
     {
-        poisson_->solve(source_, walls, phi);
+        poisson_->solve(source_, walls, phi, slope);
         return;
     }
     slopesOfSource(*closedAxis_);
-    poisson_->solveClosed(source_, walls, {sourceSlopes_[0], sourceSlopes_[1]}, phi);
+    poisson_->solveClosed(source_, walls, {sourceSlopes_[0], sourceSlopes_[1]}, phi, slope);
 }
 
 void BoundedFlow::addRates(const Substep& substep, double dt)

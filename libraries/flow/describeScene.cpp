@@ -175,8 +175,12 @@ void Description::countTransforms()
     scene.transformsOfLines = bounded_ && !settings_.extended;
     if (bounded_)
     {
+        bool anyPeriodic = false;
+        for (int d = 0; d < dimensions; ++d) { anyPeriodic = anyPeriodic || lattice_.activeAxis(d).periodic(); }
         scene.transformsPerSubstep = (settings_.extended ? extendedTransforms : lineTransforms)(
             dimensions, convects_, viscous_ && !settings_.crankNicolson, !settings_.directPressure);
+        // The slope of the pressure along it comes with the pressure.
+        if (anyPeriodic && scene.transformsOfLines && !settings_.directPressure) { --scene.transformsPerSubstep; }
         return;
     }
     if (settings_.directSum)

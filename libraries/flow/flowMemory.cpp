@@ -53,6 +53,7 @@ SolverStorage physicalStorage(int dimensions, const Fluid& fluid, const FlowSett
 SolverStorage boundedStorage(int dimensions, const Fluid& fluid, const FlowSettings& settings)
 {
     SolverStorage storage = boundedSolverStorage(dimensions);
+    ++storage.realScalars; // the pressure's slope along a periodic axis
     if (fluid.bodyForce) { ++storage.realVectors; }
     const bool oldPressure = settings.walls == WallTreatment::incremental ||
                              settings.walls == WallTreatment::rotational || settings.walls == WallTreatment::slip;

@@ -73,7 +73,8 @@ struct BoundedPoisson::Parts
     void addClosure(const Direction& direction, std::span<double> modes) const;
     void writeFixed(const Direction& direction, const FaceValues& values, std::span<double> phi) const;
     double excess(double meanMode) const;
-    double solve(const RealField& source, const WallData& walls, RealField& phi);
+    void differentiate(const Direction& direction, std::span<const double> modes, const PeriodicSlope& slope) const;
+    double solve(const RealField& source, const WallData& walls, RealField& phi, const PeriodicSlope* slope);
 
     /// Calls visit(mode, index on the axis, tangential mode) for all modes.
     template<class Visit>
@@ -336,7 +337,24 @@ double BoundedPoisson::Parts::excess(double meanMode) const
     return mean;
 }
 
-double BoundedPoisson::Parts::solve(const RealField& source, const WallData& walls, RealField& phi)
+void BoundedPoisson::Parts::differentiate(const Direction& direction, std::span<const double> modes,
+                                          const PeriodicSlope& slope) const
+{
+    // A series has its real parts first, at m, and the imaginary ones from the end, at n - m.
+    const std::size_t n = direction.axis.points;
+    const std::size_t stride = direction.d == 0 ? 1 : direction.d == 1 ? extents[0] : extents[0] * extents[1];
+    forModes(direction,
+             [&](std::size_t mode, std::size_t i, std::size_t)
+             {
+                 const std::size_t m = std::min(i, n - i);
+                 const std::size_t partner = mode - i * stride + (n - i) % n * stride;
+                 const bool alone = m == 0 || 2 * m == n;
+                 slope.values[mode] = alone ? 0 : (i == m ? -slope.symbol[m] : slope.symbol[m]) * modes[partner];
+             });
+}
+
+double BoundedPoisson::Parts::solve(const RealField& source, const WallData& walls, RealField& phi,
+                                    const PeriodicSlope* slope)
 {
     const auto modes = phi[0];
     assert(source.size() == modes.size() && modes.size() == extents[0] * extents[1] * extents[2]);
@@ -363,19 +381,31 @@ double BoundedPoisson::Parts::solve(const RealField& source, const WallData& wal
     if (constantMode) { modes[0] = 0; }
 
     for (double& value : modes) { value *= scale; }
-    for (const auto& direction : directions) { direction.transform->backward(modes); }
+    const auto differentiated = [slope](const Direction& direction)
+    { return slope != nullptr && direction.d == static_cast<std::size_t>(slope->direction); };
+    for (const auto& direction : directions)
+    {
+        if (!differentiated(direction)) { direction.transform->backward(modes); }
+    }
+    for (const auto& direction : directions)
+    {
+        if (!differentiated(direction)) { continue; }
+        differentiate(direction, modes, *slope);
+        direction.transform->backward(slope->values);
+        direction.transform->backward(modes);
+    }
     for (const auto& direction : directions) { writeFixed(direction, walls[direction.d], modes); }
     return unbalanced;
 }
 
-double BoundedPoisson::solve(const RealField& source, const WallData& walls, RealField& phi)
+double BoundedPoisson::solve(const RealField& source, const WallData& walls, RealField& phi, const PeriodicSlope* slope)
 {
     for (auto& direction : parts_->directions) { direction.sourceGiven = false; }
-    return parts_->solve(source, walls, phi);
+    return parts_->solve(source, walls, phi, slope);
 }
 
 double BoundedPoisson::solveClosed(const RealField& source, const WallData& walls, const FaceValues& sourceAtWalls,
-                                   RealField& phi)
+                                   RealField& phi, const PeriodicSlope* slope)
 {
     const auto bounded = [](const Parts::Direction& direction) { return direction.axis.bounded(); };
     auto& directions = parts_->directions;
@@ -387,7 +417,7 @@ double BoundedPoisson::solveClosed(const RealField& source, const WallData& wall
     direction.sourceGiven = true;
     parts_->transformFace(direction, sourceAtWalls.low, direction.source.low);
     parts_->transformFace(direction, sourceAtWalls.high, direction.source.high);
-    return parts_->solve(source, walls, phi);
+    return parts_->solve(source, walls, phi, slope);
 }
 
 } // namespace isph

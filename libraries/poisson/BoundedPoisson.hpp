@@ -23,6 +23,14 @@ struct FaceValues
 /// ends, phi itself.
 using WallData = std::array<FaceValues, 3>;
 
+/// The derivative of phi along a periodic axis, which a solve gives for one transform of the field.
+struct PeriodicSlope
+{
+    int direction;
+    std::span<const double> symbol; ///< s of df = i s f, for the modes 0 ... n/2 [rad/m]
+    std::span<double> values;       ///< at all points, overwritten
+};
+
 /// Solves lap phi = source in a box by real transforms: any mix of periodic, Neumann and Dirichlet ends, points on the
 /// walls or staggered, in 2-D and 3-D.
 ///
@@ -45,15 +53,18 @@ public:
     BoundedPoisson(BoundedPoisson&&) noexcept;
     BoundedPoisson& operator=(BoundedPoisson&&) noexcept;
 
+    /// \param slope null, or what to fill beside phi
+    ///
     /// Without a Dirichlet end phi is fixed up to a constant: its mean (the transforms', half weight on walls) is 0.
     /// Where faces with values meet, the last direction's are written to the common points.
     /// \return by how much the mean of the source exceeds what flows through the walls, which no phi can balance and
     /// which is taken from the source; 0 with a Dirichlet end
-    double solve(const RealField& source, const WallData& walls, RealField& phi);
+    double solve(const RealField& source, const WallData& walls, RealField& phi, const PeriodicSlope* slope = nullptr);
 
     /// The same, knowing the source at the walls of the only bounded axis: its derivative along the axis at Neumann
     /// ends, its value at Dirichlet ends.
-    double solveClosed(const RealField& source, const WallData& walls, const FaceValues& sourceAtWalls, RealField& phi);
+    double solveClosed(const RealField& source, const WallData& walls, const FaceValues& sourceAtWalls, RealField& phi,
+                       const PeriodicSlope* slope = nullptr);
 
     static double exactSymbol(double k, double /*spacing*/) { return k * k; }
 
