@@ -26,6 +26,9 @@ class CavityTest(CaseTest):
         self.assertLessEqual(max(u, v), bound)
 
 
+MILD = {"continuation__degree": "3", "filter": "{ type exponential; order 16; }"}
+
+
 class Cavity(CavityTest):
     def test_re100(self):
         self.check_extrema(self.cavity(100, 48, 20), 100, 0.01)
@@ -42,6 +45,9 @@ class Cavity(CavityTest):
 
     def test_re1000(self):
         self.check_extrema(self.cavity(1000, 64, 60), 1000, 0.017)
+
+    def test_re1000_mild_closure(self):
+        self.check_extrema(self.cavity(1000, 64, 50, **MILD), 1000, 0.008)
 
     def test_increments_of_the_pressure_are_warned_of(self):
         for schemes in ({"viscous": "CrankNicolson"}, {"walls": "incremental"}):

@@ -1,6 +1,6 @@
 """The lid-driven cavity on fine lattices and at high Reynolds number; minutes."""
 from cases import unittest
-from test_cavity import CavityTest
+from test_cavity import MILD, CavityTest
 
 
 class CavityLong(CavityTest):
@@ -12,6 +12,9 @@ class CavityLong(CavityTest):
 
     def test_re1000_fine(self):
         self.check_extrema(self.cavity(1000, 128, 60), 1000, 0.007)
+
+    def test_re1000_fine_mild_closure(self):
+        self.check_extrema(self.cavity(1000, 128, 60, **MILD), 1000, 0.003)
 
     def test_re10000_bounded(self):
         case = self.cavity(10000, 128, 40)
