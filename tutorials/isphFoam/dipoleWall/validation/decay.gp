@@ -23,7 +23,7 @@ do for [type in 'png svg'] {
          '' using 1:4 skip 1 lw 1 dt 2 lc rgb '#c0392b' title 'enstrophy, from the energy budget', \
          '' using 1:2 skip 1 axes x1y2 lw 2 lc rgb '#2c5f8a' title 'energy (right)', \
          (known ? reference : file) using 1:(known ? $3 : NaN) skip 1 every 2 with points pt 6 ps 0.8 lc rgb '#c0392b' \
-             title 'reference', \
-         '' using 1:(known ? $2 : NaN) skip 1 every 2 axes x1y2 with points pt 6 ps 0.8 lc rgb '#2c5f8a' title 'reference (right)'
+             title (known ? 'reference' : ''), \
+         '' using 1:(known ? $2 : NaN) skip 1 every 2 axes x1y2 with points pt 6 ps 0.8 lc rgb '#2c5f8a' title (known ? 'reference (right)' : '')
     unset output
 }
