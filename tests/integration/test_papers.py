@@ -36,7 +36,7 @@ class Papers(CavityTest):
 
 
 class Verifying(CavityTest):
-    def errors(self, intervals=24, schemes=(), transforms=24, **solution):
+    def errors(self, intervals=24, schemes=(), transforms=23, **solution):
         case = Tutorial("channelManufactured")
         self.addCleanup(case.remove)
         case.set_flow(0.01, (intervals, intervals), 0.25)
