@@ -154,8 +154,7 @@ BoundedFlow::BoundedFlow(const Lattice& lattice, const Fluid& fluid, const FlowS
         if (marches(WallTreatment::pressurePoisson)) { laplacian_ = RealField(dimensions_, points); }
     }
     if (settings_.crankNicolson && fluid_.nu > 0) { makeHelmholtz(); }
-    // Increments of the pressure, which an implicit term needs, suffer where an inlet meets a wall: not unless asked
-    // for.
+    // Increments of the pressure, which an implicit term needs, suffer where an inlet meets a wall.
     mayYield_ = settings_.automaticViscous && fluid_.nu > 0 && marches(WallTreatment::consistent) && !balance_;
     fingerprint_ = probe();
 }
@@ -183,30 +182,28 @@ void BoundedFlow::makeDerivatives(PlanEffort effort)
         }
         const int direction = lattice_.direction(d);
         const Axis& axis = lattice_.axis(direction);
-        std::optional<LineContinuation> line;
-        if (const auto& continuation = settings_.continuations[at(direction)])
+        const auto transformOfLines = [&]
         {
-            line.emplace(*continuation, axis.count, low, high);
-        }
-        // Slopes at the ends of lines are zero here, so data are values and need no scale.
-        ContinuedTransform transform(linesAlong(lattice_, direction), std::move(line), 1, effort);
+            std::optional<LineContinuation> line;
+            if (const auto& continuation = settings_.continuations[at(direction)])
+            {
+                line.emplace(*continuation, axis.count, low, high);
+            }
+            // Slopes at the ends of lines are zero here, so data are values and need no scale.
+            return ContinuedTransform(linesAlong(lattice_, direction), std::move(line), 1, effort);
+        };
+        ContinuedTransform transform = transformOfLines();
         const int length = transform.length();
         derivatives_.emplace_back(std::move(transform),
                                   lineSymbolOf(settings_.kernel, settings_.laplacian, length, axis.spacing()));
         if (settings_.filter.type != FilterSettings::Type::none)
         {
-            std::optional<LineContinuation> again;
-            if (const auto& continuation = settings_.continuations[at(direction)])
-            {
-                again.emplace(*continuation, axis.count, low, high);
-            }
             std::vector<double> factors;
             for (int m = 0; m <= length / 2; ++m)
             {
                 factors.push_back(filterFactor(settings_.filter, 2.0 * m / length));
             }
-            filters_.emplace_back(ContinuedTransform(linesAlong(lattice_, direction), std::move(again), 1, effort),
-                                  std::move(factors));
+            filters_.emplace_back(transformOfLines(), std::move(factors));
         }
         made.push_back({d, low, high});
         return made.size() - 1;

@@ -1,6 +1,7 @@
 #include "flow/PhysicalFlow.hpp"
 
 #include "core/Error.hpp"
+#include "fields/fieldOperations.hpp"
 #include "flow/convectiveRates.hpp"
 #include "flow/startVelocity.hpp"
 #include "operators/DirectSumOperators.hpp"
@@ -13,20 +14,6 @@ namespace isph
 
 namespace
 {
-
-/// a += factor b, every component.
-void add(RealField& a, double factor, const RealField& b)
-{
-    for (int c = 0; c < a.components(); ++c)
-    {
-        std::ranges::transform(a[c], b[c], a[c].begin(), [factor](double x, double y) { return x + factor * y; });
-    }
-}
-
-void copy(const RealField& from, RealField& to)
-{
-    for (int c = 0; c < from.components(); ++c) { std::ranges::copy(from[c], to[c].begin()); }
-}
 
 void requireSampled(const FlowSettings& settings)
 {
@@ -194,12 +181,12 @@ void PhysicalFlow::evaluateRate(double t)
     if (fluid_.nu > 0)
     {
         operators_->laplacian(velocity_, laplacian_);
-        add(rate_, fluid_.nu, laplacian_);
+        addScaled(fluid_.nu, laplacian_, rate_);
     }
     if (fluid_.bodyForce)
     {
         fluid_.bodyForce->evaluate(t, force_);
-        add(rate_, 1, force_);
+        addScaled(1, force_, rate_);
     }
 }
 
@@ -248,17 +235,17 @@ void PhysicalFlow::advance(const Substep& substep, double t, double dt)
         const auto scope = timings_.scope(Phase::pointwise);
         if (substep.first)
         {
-            copy(velocity_, before_);
-            if (settings_.incremental) { copy(incrementalPressure_, pressureBefore_); }
+            copyInto(velocity_, before_);
+            if (settings_.incremental) { copyInto(incrementalPressure_, pressureBefore_); }
         }
         evaluateRate(t + substep.start * dt);
-        add(velocity_, dt * substep.g, rate_);
-        if (!substep.first) { add(velocity_, dt * substep.z, previousRate_); }
+        addScaled(dt * substep.g, rate_, velocity_);
+        if (!substep.first) { addScaled(dt * substep.z, previousRate_, velocity_); }
         std::swap(rate_, previousRate_);
         if (settings_.incremental)
         {
             operators_->gradient(incrementalPressure_, 0, gradient_);
-            add(velocity_, -period, gradient_);
+            addScaled(-period, gradient_, velocity_);
         }
         operators_->divergence(velocity_, source_);
         for (double& value : source_[0]) { value /= period; }
@@ -270,9 +257,9 @@ void PhysicalFlow::advance(const Substep& substep, double t, double dt)
     }
     const auto scope = timings_.scope(Phase::pointwise);
     operators_->gradient(phi_, 0, gradient_);
-    add(velocity_, -period, gradient_);
+    addScaled(-period, gradient_, velocity_);
     clearCheckerboards();
-    if (settings_.incremental) { add(incrementalPressure_, 1, phi_); }
+    if (settings_.incremental) { addScaled(1, phi_, incrementalPressure_); }
 }
 
 const RealField& PhysicalFlow::pressure(double t)

@@ -1,5 +1,7 @@
 #include "flow/BoundedFlow.hpp"
 
+#include "fields/fieldOperations.hpp"
+
 #include <algorithm>
 #include <functional>
 
@@ -10,20 +12,6 @@ namespace
 {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-void copy(const RealField& from, RealField& to)
-{
-    for (int c = 0; c < from.components(); ++c) { std::ranges::copy(from[c], to[c].begin()); }
-}
-
-/// a += factor b, every component.
-void addScaled(double factor, const RealField& b, RealField& a)
-{
-    for (int c = 0; c < a.components(); ++c)
-    {
-        std::ranges::transform(a[c], b[c], a[c].begin(), [factor](double x, double y) { return x + factor * y; });
-    }
-}
 
 } // namespace
 
@@ -276,14 +264,14 @@ void BoundedFlow::advance(const Substep& substep, double t, double dt)
     const double period = substep.a * dt;
     if (substep.first)
     {
-        copy(velocity_, before_);
-        if (keepsPressure()) { copy(phi_, phiBefore_); }
+        copyInto(velocity_, before_);
+        if (keepsPressure()) { copyInto(phi_, phiBefore_); }
         lastStep_ = dt;
         if (mayYield_ && explicitRate_ == 0) { rates(); }
         implicit_ = fluid_.nu > 0 && (settings_.crankNicolson || (mayYield_ && dt * explicitRate_ > 1 && canYield()));
         if (keepsPressure() && !pressureKnown_ && !marches(WallTreatment::pressurePoisson))
         {
-            copy(pressure(t), phi_);
+            copyInto(pressure(t), phi_);
             pressureKnown_ = true;
         }
     }

@@ -1,5 +1,6 @@
 #include "flow/BoundedFlow.hpp"
 
+#include "fields/fieldOperations.hpp"
 #include "flow/convectiveRates.hpp"
 
 #include <algorithm>
@@ -15,15 +16,6 @@ namespace
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr std::array<Side, 2> sides{Side::low, Side::high};
-
-/// a += factor b, every component.
-void addScaled(double factor, const RealField& b, RealField& a)
-{
-    for (int c = 0; c < a.components(); ++c)
-    {
-        std::ranges::transform(a[c], b[c], a[c].begin(), [factor](double x, double y) { return x + factor * y; });
-    }
-}
 
 } // namespace
 
