@@ -46,6 +46,12 @@ double sumOfProducts(std::span<const double> a, std::span<const double> b)
     return blockedSum(a.size(), [a, b](std::size_t i) { return a[i] * b[i]; });
 }
 
+double sumOfProducts(std::span<const double> a, std::span<const double> b, std::span<const double> c)
+{
+    assert(a.size() == b.size() && a.size() == c.size());
+    return blockedSum(a.size(), [a, b, c](std::size_t i) { return a[i] * b[i] * c[i]; });
+}
+
 double largestMagnitude(std::span<const double> values)
 {
     double largest = 0;

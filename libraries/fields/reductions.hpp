@@ -10,6 +10,7 @@ namespace isph
 double sum(std::span<const double> values);
 double sumOfSquares(std::span<const double> values);
 double sumOfProducts(std::span<const double> a, std::span<const double> b);
+double sumOfProducts(std::span<const double> a, std::span<const double> b, std::span<const double> c);
 
 /// Largest absolute value; 0 for an empty span; NaN if any value is NaN.
 double largestMagnitude(std::span<const double> values);
