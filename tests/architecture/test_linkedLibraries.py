@@ -13,6 +13,7 @@ MAY_LINK = {
     "listTimes": {"muparser"},
     "cloneCase": {"muparser"},
     "cleanCase": {"muparser"},
+    "workPrecision": {"muparser"},
     "checkCase": {"muparser", "fftw", "hdf5"},
     "isphFoam": {"muparser", "fftw", "hdf5"},
     "scalarTransportFoam": {"muparser", "fftw", "hdf5"},

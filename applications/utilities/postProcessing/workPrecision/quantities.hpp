@@ -1,0 +1,27 @@
+#pragma once
+
+#include "Sweep.hpp"
+
+namespace isph
+{
+
+/// Columns that every run has besides its parameters and quantities.
+std::vector<std::string> runColumns();
+
+/// The number that a run left behind. Not-a-number where the run has none (no peak, no row of that time).
+/// \param caseDirectory of the sweep, which reference files are relative to
+/// \param folder of the run
+/// \throws Error(input) at the quantity's entry if what it names (file, column, key) does not exist; names the nearest.
+double evaluate(const Quantity& quantity, const std::filesystem::path& caseDirectory,
+                const std::filesystem::path& folder);
+
+/// A column reduced to one number. Not-a-number if no row counts.
+/// \param times of the rows [s], increasing
+double reduce(const Quantity& quantity, const std::vector<double>& times, const std::vector<double>& values);
+
+/// Largest or root mean square deviation of a profile, interpolated linearly, from a reference, at the points of the
+/// reference; those outside of the profile are left out.
+double deviation(Quantity::Norm norm, const std::vector<double>& abscissae, const std::vector<double>& values,
+                 const std::vector<double>& referenceAbscissae, const std::vector<double>& reference);
+
+} // namespace isph

@@ -1,0 +1,325 @@
+"""workPrecision: sweeps of a solver that makes known errors, and of isphFoam; stopped, killed, diverged, refused."""
+import csv
+import json
+import os
+import random
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+from cases import ROOT, Case, CaseTest, header, program, run, wait_for
+
+# Error 3 N^-order, 0.1 N^2 seconds by its own account; says in $LEDGER what it has finished.
+SOLVER = """#!/bin/sh
+value() { sed -n "s/^ *$1  *\\\\(.*\\\\);/\\\\1/p" system/flow; }
+N="$(value N)"; order="$(value order)"
+[ "$N" = "$(value blowsUpAt)" ] && diverge=yes
+[ "$N" = "$(value failsAt)" ] && { echo "fakeFoam: system/flow:1: N: is unlucky"; echo End; exit 1; }
+mkdir -p postProcessing
+awk -v N="$N" -v order="$order" -v diverge="$diverge" 'BEGIN {
+    printf "{\\"cpuTime\\": %.17g, \\"wallTime\\": 1, \\"peakMemory\\": 1000, \\"time\\": 0.25, \\"steps\\": %d}\\n", 0.1*N^2, N
+    printf "%.17g\\n", 3*N^-order > "error" }' > postProcessing/report.json
+[ "$diverge" ] && exit 3
+sleep "$(value sleeps)"
+[ -z "$LEDGER" ] || echo "$order $N" >> "$LEDGER"
+"""
+
+DICTIONARY = """
+N 10;
+parameters { N (10 20 40); }
+set { "system/flow" { N $N; } }
+commands (./fakeFoam);
+variants
+{
+    second { set { "system/flow" { order 2; } } }
+    fourth { set { "system/flow" { order 4; } } }
+}
+error { command "cat error"; }
+"""
+
+
+class Fake:
+    """A case whose solver is a script."""
+
+    def __init__(self, test, dictionary=DICTIONARY, sleeps=0.01, **flow):
+        self.dir = os.path.join(tempfile.mkdtemp(prefix="continua-"), "fake")
+        test.addCleanup(shutil.rmtree, os.path.dirname(self.dir), True)
+        entries = {"N": 0, "order": 0, "sleeps": sleeps, "blowsUpAt": -1, "failsAt": -1, **flow}
+        self.put("system/flow", header("flow") + "".join(f"{key} {value};\n" for key, value in entries.items()))
+        self.put("system/workPrecisionDict", header("workPrecisionDict") + dictionary)
+        self.put("fakeFoam", SOLVER)
+        os.chmod(self.path("fakeFoam"), 0o755)
+
+    path = Case.path
+    put = Case.put
+    text = Case.text
+    replace = Case.replace
+    line_of = Case.line_of
+    run = Case.run
+    start = Case.start
+
+
+def table(case, name="workPrecision"):
+    """Rows of a table of the sweep."""
+    with open(case.path("postProcessing", "workPrecision", name + ".csv"), encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def orders(case):
+    return {row["variant"]: float(row["order"]) for row in table(case, "slopes") if row["order"]}
+
+
+def without_times(rows):
+    return [{key: value for key, value in row.items() if not key.endswith("[s]") and "bytes" not in key} for row in rows]
+
+
+class Sweeps(CaseTest):
+    def fake(self, *arguments, **options):
+        return Fake(self, *arguments, **options)
+
+    def sweeps(self, case, *arguments, **options):
+        result = case.run("workPrecision", *arguments, **options)
+        self.assertEqual(result.returncode, 0, result.stderr + result.stdout)
+        return result.stdout
+
+    def refuses(self, case, *parts, arguments=("-list",)):
+        result = case.run("workPrecision", *arguments)
+        self.assertEqual(result.returncode, 1, result.stdout)
+        for part in parts:
+            self.assertIn(part, result.stderr)
+
+    def test_slopes_are_those_of_the_solver(self):
+        case = self.fake()
+        said = self.sweeps(case)
+        found = orders(case)
+        self.assertAlmostEqual(found["second"], 2, places=9)
+        self.assertAlmostEqual(found["fourth"], 4, places=9)
+        slopes = {(r["variant"], r["quantity"], r["against"]): float(r["slope"]) for r in table(case, "slopes")}
+        self.assertAlmostEqual(slopes["second", "error", "cpuTime"], -1, places=9)
+        self.assertAlmostEqual(slopes["fourth", "cpuTime", "N"], 2, places=9)
+        self.assertIn("[6/6] fourth, N 40", said)
+        rows = table(case)
+        self.assertEqual([(r["variant"], r["N"], r["status"]) for r in rows][:3],
+                         [("second", "10", "done"), ("fourth", "10", "done"), ("second", "20", "done")])
+        self.assertAlmostEqual(float(rows[0]["error"]), 0.03, places=15)
+        self.assertEqual(float(rows[0]["cpuTime [s]"]), 10)
+        cheapest = {float(r["error"]): r for r in table(case, "cheapest")}
+        self.assertEqual(cheapest[1e-5]["cheapest"], "fourth")
+        # 3 N^-4 = 1e-5 at N = 23.4, which costs 0.1 N^2
+        self.assertAlmostEqual(float(cheapest[1e-5]["cpuTime [s]"]), 0.1*(3e5)**0.5, places=6)
+        self.assertEqual(cheapest[1e-2]["second"], "second")
+        with open(case.path("postProcessing/workPrecision/provenance.json"), encoding="utf-8") as file:
+            provenance = json.load(file)
+        self.assertLessEqual({"version", "commit", "compiler", "processor", "cores", "date", "command"}, set(provenance))
+        if shutil.which("gnuplot"):
+            for kind, head in (("png", b"\x89PNG"), ("svg", b"<?xml")):
+                with open(case.path("postProcessing/workPrecision/workPrecision." + kind), "rb") as file:
+                    self.assertTrue(file.read().startswith(head))
+            svg = case.text("postProcessing/workPrecision/workPrecision.svg")
+            self.assertIn("fourth (order 4.00)", svg)
+
+    def test_what_is_done_is_not_repeated(self):
+        case = self.fake()
+        ledger = case.path("ledger")
+        self.sweeps(case, env={"LEDGER": ledger})
+        self.assertIn("6 runs", self.sweeps(case, "-list"))
+        self.sweeps(case, env={"LEDGER": ledger})
+        self.assertEqual(len(case.text("ledger").splitlines()), 6)
+        # Other settings are other runs: only those.
+        case.replace("system/workPrecisionDict", "order 4;", "order 5;")
+        self.sweeps(case, env={"LEDGER": ledger})
+        self.assertEqual(len(case.text("ledger").splitlines()), 9)
+        self.assertAlmostEqual(orders(case)["fourth"], 5, places=9)
+        # Another base case: all of them.
+        case.replace("system/flow", "sleeps 0.01", "sleeps 0.011")
+        self.sweeps(case, env={"LEDGER": ledger})
+        self.assertEqual(len(case.text("ledger").splitlines()), 15)
+
+    def test_repetitions_take_the_smallest_time(self):
+        case = self.fake(DICTIONARY + "repetitions 3;\n")
+        ledger = case.path("ledger")
+        self.sweeps(case, "-jobs", "2", env={"LEDGER": ledger})
+        self.assertEqual(len(case.text("ledger").splitlines()), 18)
+        self.assertEqual({row["repetitions"] for row in table(case)}, {"3"})
+        self.assertFalse(os.path.exists(case.path("workPrecision/second/N10.repetition")))
+
+    def test_a_diverged_run_is_reported_and_left_out(self):
+        case = self.fake(blowsUpAt=40)
+        said = self.sweeps(case)
+        self.assertIn("diverged at t = 0.25", said)
+        rows = table(case)
+        self.assertEqual([r["status"] for r in rows if r["N"] == "40"], ["diverged", "diverged"])
+        self.assertEqual(rows[-1]["message"], "diverged at t = 0.25")
+        self.assertEqual(rows[-1]["error"], "")
+        self.assertAlmostEqual(orders(case)["second"], 2, places=9)
+
+    def test_a_failed_run_is_reported_with_its_words_and_tried_again(self):
+        case = self.fake(failsAt=20)
+        said = self.sweeps(case)
+        self.assertIn("fakeFoam: system/flow:1: N: is unlucky (exit code 1)", said)
+        case.replace("fakeFoam", "exit 1; }", "}")
+        self.sweeps(case)
+        self.assertEqual({r["status"] for r in table(case)}, {"done"})
+
+    def test_it_fails_if_no_run_gives_a_result(self):
+        case = self.fake(DICTIONARY.replace("10 20 40", "10"), failsAt=10)
+        self.refuses(case, "no run gave a result", arguments=())
+
+    def test_a_run_that_takes_too_long_is_stopped(self):
+        case = self.fake(DICTIONARY.replace("10 20 40", "10") + "timeLimit 0.3;\n", sleeps=60)
+        start = time.monotonic()
+        result = case.run("workPrecision")
+        self.assertLess(time.monotonic() - start, 30)
+        self.assertIn("exceeded 0.3 s", result.stdout)
+        self.assertEqual({r["status"] for r in table(case)}, {"timeLimit"})
+
+    def test_killed_at_any_moment_it_goes_on_to_the_same_table(self):
+        whole = self.fake(sleeps=0.1)
+        self.sweeps(whole)
+        case = self.fake(sleeps=0.1)
+        ledger = case.path("ledger")
+        moments = random.Random(1).sample(range(1, 400), 10)
+        for moment in moments:
+            process = subprocess.Popen([program("workPrecision"), "-case", case.dir], stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.DEVNULL, env={**os.environ, "LEDGER": ledger})
+            time.sleep(moment/1000)
+            process.kill()
+            process.wait()
+        self.sweeps(case, env={"LEDGER": ledger})
+        self.assertEqual(without_times(table(case)), without_times(table(whole)))
+        self.assertEqual(orders(case), orders(whole))
+        # What was finished was not made again, but for a run killed between its last act and its record.
+        self.assertLessEqual(len(case.text("ledger").splitlines()), 6 + len(moments))
+
+    def test_isphFoam_killed_at_any_moment_gives_the_same_errors(self):
+        dictionary = header("workPrecisionDict") + """
+N 8;
+parameters { N (8 12 16); }
+set { "system/latticeDict" { count ($N $N 1); } }
+variants { four { set { "system/schemes" { kernel { order 4; } } } } six { } }
+error { function errors; column "relL2(U)"; }
+"""
+        whole = self.case()
+        whole.put("system/workPrecisionDict", dictionary)
+        self.sweeps(whole)
+        case = self.case()
+        case.put("system/workPrecisionDict", dictionary)
+        for moment in random.Random(2).sample(range(1, 300), 10):
+            process = case.start("workPrecision")
+            time.sleep(moment/1000)
+            process.kill()
+            process.communicate()
+        self.sweeps(case)
+        self.assertEqual(without_times(table(case)), without_times(table(whole)))
+
+    def test_a_signal_stops_what_it_started(self):
+        for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+            case = self.fake(sleeps=300)
+            process = case.start("workPrecision", "-jobs", "2")
+            report = case.path("workPrecision/fourth/N10/postProcessing/report.json")
+            self.assertTrue(wait_for(lambda: os.path.exists(report)))
+            process.send_signal(number)
+            out, err = process.communicate(timeout=30)
+            self.assertEqual(process.returncode, code, err)
+            self.assertIn("goes on with the others", out)
+            # The solver's own program, sleep, is gone as well: nothing holds the lock.
+            self.assertEqual(subprocess.run(["flock", "-n", case.path("workPrecision/fourth/.N10.lock"), "true"],
+                                            check=False).returncode, 0)
+            case.replace("system/flow", "sleeps 300", "sleeps 0.01")
+            self.sweeps(case)
+            self.assertEqual(len(table(case)), 6)
+
+    def test_a_second_sweep_of_the_same_case_is_refused(self):
+        case = self.fake(sleeps=300)
+        process = case.start("workPrecision")
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        self.assertTrue(wait_for(lambda: os.path.exists(case.path("workPrecision/second/N10/postProcessing/report.json"))))
+        self.refuses(case, "another sweep of this case is running", arguments=())
+
+    def test_two_jobs_give_the_table_of_one(self):
+        one, two = self.fake(), self.fake()
+        self.sweeps(one)
+        self.sweeps(two, "-jobs", "2")
+        self.assertEqual(without_times(table(one)), without_times(table(two)))
+
+    def test_external_results_are_compared(self):
+        case = self.fake(DICTIONARY + """
+external { other { file "validation/other.csv"; title "another code"; columns { cpuTime seconds; error relL2; } } }
+""")
+        case.put("validation/other.csv", "# from somewhere\nN,relL2,seconds\n10,1e-3,0.001\n20,1e-6,0.002\n")
+        self.assertIn("another code", self.sweeps(case))
+        self.assertEqual({r["cheapest"] for r in table(case, "cheapest")}, {"another code"})
+        self.assertIn("with linespoints lw 1.4 dt 3 pt 6", case.text("postProcessing/workPrecision/workPrecision.gp"))
+
+    def test_reduced_has_its_own_lists(self):
+        case = self.fake(DICTIONARY + "reduced { parameters { N (4 8); } }\n")
+        self.sweeps(case, "-reduced")
+        self.assertEqual([r["N"] for r in table(case)], ["4", "4", "8", "8"])
+
+    def test_plot_and_clean(self):
+        case = self.fake()
+        self.refuses(case, "no run gave a result", arguments=("-plot",))
+        self.sweeps(case)
+        shutil.rmtree(case.path("postProcessing"))
+        self.sweeps(case, "-plot")
+        self.assertEqual(len(table(case)), 6)
+        self.sweeps(case, "-clean")
+        self.assertFalse(os.path.exists(case.path("workPrecision")))
+
+    def test_a_picture_of_costs(self):
+        case = self.fake(DICTIONARY + """
+collect { perStep { report cpuTime; per steps; title "seconds of a step"; } }
+plot { workPrecision { y error; } cost { x N; y perStep; } }
+""")
+        self.sweeps(case)
+        slopes = {(r["variant"], r["quantity"], r["against"]): float(r["slope"]) for r in table(case, "slopes")}
+        self.assertAlmostEqual(slopes["fourth", "perStep", "N"], 1, places=9)
+        self.assertIn("set ylabel 'seconds of a step'", case.text("postProcessing/workPrecision/cost.gp"))
+
+    def test_what_is_wrong_is_said_before_anything_is_run(self):
+        case = self.fake(DICTIONARY.replace("./fakeFoam", "isphFom"))
+        self.refuses(case, "there is no program 'isphFom'", "did you mean 'isphFoam'?")
+        case = self.fake(DICTIONARY.replace('"system/flow" { N', '"system/flw" { N'))
+        self.refuses(case, "system/workPrecisionDict:%d: " % case.line_of("system/workPrecisionDict", "flw"),
+                     "the base case has no file system/flw")
+        case = self.fake(DICTIONARY + "baseCase ../nowhere;\n")
+        self.refuses(case, "there is no such case directory")
+        case = self.case()
+        case.put("system/workPrecisionDict", header("workPrecisionDict") +
+                 'parameters { N (8); }\nerror { function erors; column "relL2(U)"; }\n')
+        self.refuses(case, "'erors' is not a known function", "known are: errors, flow")
+        self.assertFalse(os.path.exists(case.path("workPrecision")))
+        case = self.case()
+        self.refuses(case, "system/workPrecisionDict", "is missing", "etc/annotated/workPrecisionDict")
+
+    def test_a_column_that_is_not_there_ends_the_sweep_at_once(self):
+        case = self.case()
+        case.put("system/workPrecisionDict", header("workPrecisionDict") +
+                 'parameters { N (8 12); }\nset { "system/latticeDict" { count ($N $N 1); } }\n'
+                 'error { function errors; column "relL2(V)"; }\n')
+        self.refuses(case, "errors.csv has no column 'relL2(V)'", "it has: relL2(U)", arguments=())
+        self.assertFalse(os.path.exists(case.path("workPrecision/vortex/N12")))
+
+
+class Orders(CaseTest):
+    """The orders that workPrecision fits for the Taylor-Green vortices of the tutorial."""
+
+    def test_orders(self):
+        case = object.__new__(Case)
+        case.dir = os.path.join(tempfile.mkdtemp(prefix="continua-"), "taylorGreen2D")
+        self.addCleanup(case.remove)
+        source = os.path.join(ROOT, "tutorials/isphFoam/taylorGreen2D")
+        self.assertEqual(run("cloneCase", source, case.dir).returncode, 0)
+        self.succeeds(case, "workPrecision", "-reduced")
+        found = orders(case)
+        for variant, order in (("gaussian4", 4), ("quinticSpline", 2), ("firstOrder", 1)):
+            with self.subTest(variant):
+                self.assertAlmostEqual(found[variant], order, delta=0.15)
+
+
+if __name__ == "__main__":
+    unittest.main()
