@@ -145,24 +145,29 @@ BoundedFlow::BoundedFlow(const Lattice& lattice, const Fluid& fluid, const FlowS
         periodicSymbol_ = lineSymbolOf(settings_.kernel, settings_.laplacian, axis.count, axis.spacing()).first;
         periodicSlope_.emplace(PeriodicSlope{lattice_.direction(d), periodicSymbol_, slope_[0]});
     }
-    if (fluid_.bodyForce) { force_ = RealField(dimensions_, points); }
-    if (keepsPressure())
+    if (fluid_.bodyForce)
     {
-        phiBefore_ = RealField(1, points);
-        gradient_ = RealField(dimensions_, points);
-        increment_ = RealField(1, points);
-        if (marches(WallTreatment::pressurePoisson)) { laplacian_ = RealField(dimensions_, points); }
+        if (const auto uniform = fluid_.bodyForce->uniform()) { uniformForce_ = *uniform; }
+        else { force_ = RealField(dimensions_, points); }
     }
+    if (marchesPressure()) { makeIncrements(); }
+    if (marches(WallTreatment::pressurePoisson)) { laplacian_ = RealField(dimensions_, points); }
     if (settings_.crankNicolson && fluid_.nu > 0) { makeHelmholtz(); }
     // Increments of the pressure, which an implicit term needs, suffer where an inlet meets a wall.
     mayYield_ = settings_.automaticViscous && fluid_.nu > 0 && marches(WallTreatment::consistent) && !balance_;
     fingerprint_ = probe();
 }
 
-bool BoundedFlow::keepsPressure() const
+bool BoundedFlow::marchesPressure() const
 {
-    const bool mayBeImplicit = fluid_.nu > 0 && (settings_.crankNicolson || settings_.automaticViscous);
-    return mayBeImplicit || (!marches(WallTreatment::consistent) && !marches(WallTreatment::paper));
+    return implicit_ || (!marches(WallTreatment::consistent) && !marches(WallTreatment::paper));
+}
+
+void BoundedFlow::makeIncrements()
+{
+    phiBefore_ = RealField(1, lattice_.points());
+    gradient_ = RealField(dimensions_, lattice_.points());
+    increment_ = RealField(1, lattice_.points());
 }
 
 void BoundedFlow::makeDerivatives(PlanEffort effort)
@@ -282,6 +287,7 @@ void BoundedFlow::makeHelmholtz()
         }
         helmholtz_.emplace_back(lattice_, axes);
     }
+    makeIncrements();
     laplacian_ = RealField(dimensions_, lattice_.points());
 }
 
@@ -334,13 +340,13 @@ StartReport BoundedFlow::start(const RealField& velocity, bool project)
 void BoundedFlow::save(FieldWriter& writer) const
 {
     writer.writeState("boundedU", velocity_);
-    if (keepsPressure() && pressureKnown_) { writer.writeState("phi", phi_); }
+    if (pressureKnown_) { writer.writeState("phi", phi_); }
 }
 
 void BoundedFlow::restore(const FieldReader& reader)
 {
     reader.readState("boundedU", velocity_);
-    pressureKnown_ = keepsPressure() && reader.hasState("phi");
+    pressureKnown_ = reader.hasState("phi");
     if (pressureKnown_) { reader.readState("phi", phi_); }
 }
 
@@ -349,7 +355,7 @@ bool BoundedFlow::restores(const FieldReader& reader) const { return reader.hasS
 void BoundedFlow::stepBack()
 {
     std::swap(velocity_, before_);
-    if (keepsPressure()) { std::swap(phi_, phiBefore_); }
+    if (marchesPressure()) { std::swap(phi_, phiBefore_); }
 }
 
 StepRates BoundedFlow::rates()
@@ -403,7 +409,9 @@ std::string_view BoundedFlow::viscousStep() const { return !mayYield_ ? "" : imp
 
 const RealField& BoundedFlow::divergence()
 {
-    addDivergence(velocity_, source_);
+    const long made = transforms_; // counted are those of steps
+    divergenceOf(velocity_, 1, source_);
+    transforms_ = made;
     return source_;
 }
 

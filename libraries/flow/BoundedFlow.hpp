@@ -64,7 +64,9 @@ private:
     /// Whether the viscous term can be taken implicitly; for viscous auto, which has a choice.
     bool canYield();
     bool marches(WallTreatment treatment) const { return settings_.walls == treatment; }
-    bool keepsPressure() const;
+    /// Whether the pressure is marched: by its treatment of the walls, or by an implicit viscous term.
+    bool marchesPressure() const;
+    void makeIncrements();
 
     /// rate = -(u . D)u + nu lap u + f at all points, walls included.
     void evaluateRate(double t, double nu);
@@ -84,7 +86,8 @@ private:
     void projectIncrement(double period);
     void advanceByPressurePoisson(const Substep& substep, double t, double dt);
     void finishStep(const Substep& substep);
-    void addDivergence(const RealField& u, RealField& divergence);
+    /// divergence = factor div u
+    void divergenceOf(const RealField& u, double factor, RealField& divergence);
     /// u -= period D phi, phi what solvePoisson found last.
     void subtractGradient(double period, const RealField& phi, RealField& u);
     /// A time in which walls that move hardly change their speed [s].
@@ -134,11 +137,13 @@ private:
     RealField before_; ///< the velocity before the last step
     RealField rate_;
     RealField previousRate_;
-    RealField force_;
+    std::array<double, 3> uniformForce_{0, 0, 0};
+    RealField force_; ///< one that is not uniform
+    bool forceKnown_ = false;
     RealField scratch_;
     RealField source_;
     RealField phi_;
-    RealField phiBefore_; ///< of treatments that march the pressure, too
+    RealField phiBefore_; ///< where the pressure is marched, too
     RealField gradient_;  ///< of phi, where a treatment needs it
     RealField laplacian_;
     RealField increment_; ///< of the pressure, or the divergence
@@ -146,7 +151,7 @@ private:
     std::string fingerprint_;
     double lastStep_ = 0;
     double explicitRate_ = 0;    ///< one over the largest step with every term explicit
-    bool pressureKnown_ = false; ///< phi_ is one
+    bool pressureKnown_ = false; ///< phi_ is one that can be marched
     bool mayYield_ = false;      ///< viscous auto, and there is a way to take the term implicitly
     bool implicit_ = false;      ///< the viscous term in this step
     long transforms_ = 0;

@@ -2,6 +2,7 @@
 
 #include "fields/Field.hpp"
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -18,6 +19,9 @@ public:
     virtual void evaluate(double t, RealField& force) const = 0;
 
     virtual bool dependsOnTime() const = 0;
+
+    /// Its components along the active axes where it is the same at all places and times: then no field is needed.
+    virtual std::optional<std::array<double, 3>> uniform() const { return std::nullopt; }
 };
 
 /// What flows.

@@ -81,7 +81,11 @@ SpectralFlow::SpectralFlow(const Lattice& lattice, const Fluid& fluid, const Flo
         points_ = RealField(std::max(convection_->inputs(), convection_->products()), lattice.points());
         if (settings_.exactMeanFlow) { meanFlowFactors_.emplace(rows, *settings_.time); }
     }
-    if (fluid_.bodyForce)
+    if (const auto uniform = fluid_.bodyForce ? fluid_.bodyForce->uniform() : std::nullopt)
+    {
+        uniformForce_ = *uniform;
+    }
+    else if (fluid_.bodyForce)
     {
         forceTransform_.emplace(lattice, dimensions, effort);
         force_ = RealField(dimensions, lattice.points());
@@ -233,7 +237,7 @@ StepRates SpectralFlow::rates()
 
 void SpectralFlow::updateForce(double t)
 {
-    if (!fluid_.bodyForce || (forceReady_ && !fluid_.bodyForce->dependsOnTime())) { return; }
+    if (!forceTransform_ || (forceReady_ && !fluid_.bodyForce->dependsOnTime())) { return; }
     {
         const auto scope = timings_.scope(Phase::pointwise);
         fluid_.bodyForce->evaluate(t, force_);
@@ -270,9 +274,9 @@ const RealField& SpectralFlow::pressure(double t)
         outputPressure_.emplace(lattice_);
         pressure_ = RealField(1, lattice_.points());
     }
-    if (fluid_.bodyForce) { fluid_.bodyForce->evaluate(t, force_); }
+    if (forceTransform_) { fluid_.bodyForce->evaluate(t, force_); }
     if (convection_) { ensureInputs(); }
-    outputPressure_->evaluate(convection_ ? &points_ : nullptr, fluid_.bodyForce ? &force_ : nullptr, pressure_);
+    outputPressure_->evaluate(convection_ ? &points_ : nullptr, forceTransform_ ? &force_ : nullptr, pressure_);
     return pressure_;
 }
 

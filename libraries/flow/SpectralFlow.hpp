@@ -13,6 +13,8 @@
 namespace isph
 {
 
+struct PlainSubstep;
+
 /// Pseudo-spectral ISPH in a periodic box (Fourtakas et al. 2021): the velocity lives in Fourier space, where kernels,
 /// viscosity, projection and filter are diagonal; only the products of the convective term are formed at the points.
 ///
@@ -70,6 +72,10 @@ private:
         std::array<Complex*, 3> value = {}; ///< u*, later the velocity
     };
 
+    /// Whether advancePlain is all there is to a substep: nothing of what it leaves out is asked for.
+    bool isPlain(const Substep& substep) const;
+    PlainSubstep plainSubstep(const Substep& substep, double dt, const SpectralField& from, SpectralField& to);
+
     /// Convection, force, and the viscous term where it is explicit.
     void evaluateRate(const Stretch& modes, const SpectralField& from) const;
     /// u* = E (u + dt (g F + z F_before))
@@ -105,9 +111,10 @@ private:
     SpectralField forceModes_;
     SpectralField pressureModes_; ///< incremental coupling
     SpectralField pressureBefore_;
-    RealField points_; ///< inputs of the convective term, then its products in their place
-    RealField force_;
-    Direction mean_{0, 0, 0}; ///< carried exactly; zero where that is switched off
+    RealField points_;                            ///< inputs of the convective term, then its products in their place
+    std::array<double, 3> uniformForce_{0, 0, 0}; ///< feeds the mean alone
+    RealField force_;                             ///< one that is not uniform
+    Direction mean_{0, 0, 0};                     ///< carried exactly; zero where that is switched off
 
     bool inputModesReady_ = false;
     bool inputsReady_ = false;

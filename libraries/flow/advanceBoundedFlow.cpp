@@ -67,7 +67,7 @@ void BoundedFlow::slopeOfPressure(const RealField& phi, int d, std::span<double>
 
 void BoundedFlow::evaluateRate(double t, double nu)
 {
-    for (int c = 0; c < dimensions_; ++c) { std::ranges::fill(rate_[c], 0.0); }
+    for (int c = 0; c < dimensions_; ++c) { std::ranges::fill(rate_[c], uniformForce_[at(c)]); }
     const bool convects = settings_.convection != ConvectionForm::none;
     if (convects || nu > 0)
     {
@@ -83,9 +83,10 @@ void BoundedFlow::evaluateRate(double t, double nu)
             }
         }
     }
-    if (fluid_.bodyForce)
+    if (force_.components() > 0)
     {
-        fluid_.bodyForce->evaluate(t, force_);
+        if (!forceKnown_ || fluid_.bodyForce->dependsOnTime()) { fluid_.bodyForce->evaluate(t, force_); }
+        forceKnown_ = true;
         for (int c = 0; c < dimensions_; ++c)
         {
             std::ranges::transform(rate_[c], force_[c], rate_[c].begin(), std::plus<>());
@@ -93,14 +94,16 @@ void BoundedFlow::evaluateRate(double t, double nu)
     }
 }
 
-void BoundedFlow::addDivergence(const RealField& u, RealField& divergence)
+void BoundedFlow::divergenceOf(const RealField& u, double factor, RealField& divergence)
 {
     const auto scope = timings_.scope(Phase::transforms);
-    std::ranges::fill(divergence[0], 0.0);
-    for (int d = 0; d < dimensions_; ++d)
+    slopeOfVelocity(u, 0, divergence[0]);
+    for (int d = 1; d < dimensions_; ++d)
     {
         slopeOfVelocity(u, d, scratch_[0]);
-        std::ranges::transform(divergence[0], scratch_[0], divergence[0].begin(), std::plus<>());
+        const double ofSum = d == dimensions_ - 1 ? factor : 1;
+        std::ranges::transform(divergence[0], scratch_[0], divergence[0].begin(),
+                               [ofSum](double sum, double slope) { return ofSum * (sum + slope); });
     }
 }
 
@@ -196,8 +199,7 @@ void BoundedFlow::slopesOfSource(int d)
 
 void BoundedFlow::solvePressure(const RealField& u, double period, bool keepsWalls, RealField& phi)
 {
-    addDivergence(u, source_);
-    for (double& value : source_[0]) { value /= period; }
+    divergenceOf(u, 1 / period, source_);
     solvePoisson(keepsWalls, phi);
 }
 
@@ -265,15 +267,17 @@ void BoundedFlow::advance(const Substep& substep, double t, double dt)
     if (substep.first)
     {
         copyInto(velocity_, before_);
-        if (keepsPressure()) { copyInto(phi_, phiBefore_); }
         lastStep_ = dt;
         if (mayYield_ && explicitRate_ == 0) { rates(); }
         implicit_ = fluid_.nu > 0 && (settings_.crankNicolson || (mayYield_ && dt * explicitRate_ > 1 && canYield()));
-        if (keepsPressure() && !pressureKnown_ && !marches(WallTreatment::pressurePoisson))
+        // What an explicit step leaves is of a substep, not of the time it ends at: it is not marched on.
+        if (!marchesPressure()) { pressureKnown_ = false; }
+        else if (!pressureKnown_ && !marches(WallTreatment::pressurePoisson))
         {
             copyInto(pressure(t), phi_);
             pressureKnown_ = true;
         }
+        if (marchesPressure()) { copyInto(phi_, phiBefore_); }
     }
     boundary_.update(t + substep.start * dt);
     // What slips along walls after the projection of the start does so no longer.

@@ -28,6 +28,9 @@ void SpectralFlow::advance(const Substep& substep, double t, double dt)
     // The first substep writes beside the state, so that the step can be taken back.
     if (substep.first) { std::swap(state_, before_); }
     const SpectralField& from = substep.first ? before_ : state_;
+    const int dimensions = lattice_.dimensions();
+    std::optional<PlainSubstep> plain;
+    if (isPlain(substep)) { plain = plainSubstep(substep, dt, from, state_); }
     const ModeRows& rows = derivative_.rows();
     const auto count = static_cast<std::ptrdiff_t>(rows.count());
 #pragma omp parallel for schedule(static)
@@ -35,7 +38,12 @@ void SpectralFlow::advance(const Substep& substep, double t, double dt)
     {
         const auto row = static_cast<std::size_t>(r);
         const std::size_t kept = keptRow(row) ? retained_.length() : 0;
-        for (std::size_t begin = 0; begin < kept; begin += stretch)
+        if (plain && kept > 0)
+        {
+            advancePlain(*plain, dimensions, rows.offset(row), kept,
+                         {rows.derivative(row, 1), dimensions == 3 ? rows.derivative(row, 2) : 0});
+        }
+        for (std::size_t begin = 0; begin < kept && !plain; begin += stretch)
         {
             advanceStretch(row, begin, std::min(begin + stretch, kept), substep, dt, from, state_);
         }
@@ -49,6 +57,47 @@ void SpectralFlow::advance(const Substep& substep, double t, double dt)
     {
         for (int c = 0; c < lattice_.dimensions(); ++c) { inputModes_[c][0] -= mean_[static_cast<std::size_t>(c)]; }
     }
+}
+
+bool SpectralFlow::isPlain(const Substep& substep) const
+{
+    const bool explicitViscosity = !viscousSymbol_.empty() && !viscousFactors_;
+    const bool filters = substep.last && !filterFactors_[0].empty();
+    const bool meanFlow = meanFlowFactors_ && meanFlowFactors_->active();
+    return settings_.convection == ConvectionForm::divergence && projectAlongWavevector_ && !fluid_.bodyForce &&
+           !explicitViscosity && !filters && !meanFlow;
+}
+
+PlainSubstep SpectralFlow::plainSubstep(const Substep& substep, double dt, const SpectralField& from, SpectralField& to)
+{
+    const std::span<const double> smoothing = derivative_.smoothing();
+    PlainSubstep modes{.prediction = {.now = dt * substep.g,
+                                      .before = dt * substep.z,
+                                      .lessOne = viscousFactors_ ? viscousFactors_->lessOne(substep).data() : nullptr,
+                                      .first = substep.first,
+                                      .last = substep.last},
+                       .scale = 1.0 / static_cast<double>(lattice_.points()),
+                       .k0 = derivative_.rows().wavenumbers().derivative[0].data(),
+                       .smoothing = smoothing.empty() ? nullptr : smoothing.data(),
+                       .inverse = inverse_.data(),
+                       .products = {},
+                       .from = {},
+                       .carried = {},
+                       .to = {},
+                       .inputs = {}};
+    for (int i = 0; i < productModes_.components(); ++i)
+    {
+        modes.products[static_cast<std::size_t>(i)] = productModes_[i].data();
+    }
+    for (int c = 0; c < lattice_.dimensions(); ++c)
+    {
+        const auto component = static_cast<std::size_t>(c);
+        modes.from[component] = from[c].data();
+        modes.carried[component] = rate_[c].data();
+        modes.to[component] = to[c].data();
+        modes.inputs[component] = inputModes_[c].data();
+    }
+    return modes;
 }
 
 void SpectralFlow::advanceStretch(std::size_t row, std::size_t begin, std::size_t end, const Substep& substep,
@@ -98,7 +147,8 @@ void SpectralFlow::evaluateRate(const Stretch& modes, const SpectralField& from)
     {
         Complex* rate = modes.rate[static_cast<std::size_t>(c)];
         if (!convection_) { std::fill_n(rate, modes.length, Complex(0)); }
-        if (fluid_.bodyForce)
+        if (modes.first == 0) { rate[0] += uniformForce_[static_cast<std::size_t>(c)]; }
+        if (forceTransform_)
         {
             const Complex* force = forceModes_[c].data() + modes.first;
             for (std::size_t i = 0; i < modes.length; ++i) { rate[i] += scale * force[i]; }

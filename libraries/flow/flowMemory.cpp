@@ -12,6 +12,9 @@ namespace isph
 namespace
 {
 
+/// Values and coordinates.
+bool needsForceField(const Fluid& fluid) { return fluid.bodyForce && !fluid.bodyForce->uniform(); }
+
 SolverStorage spectralStorage(int dimensions, const Fluid& fluid, const FlowSettings& settings)
 {
     SolverStorage storage = periodicSolverStorage(dimensions);
@@ -21,10 +24,11 @@ SolverStorage spectralStorage(int dimensions, const Fluid& fluid, const FlowSett
     storage.products = convection ? convection->products() : 0;
     storage.spectralScalars += inputs - dimensions;                // a vector of inputs is in the defaults
     storage.realScalars += std::max(inputs - storage.products, 0); // inputs and products share their place
-    if (fluid.bodyForce)
+    if (needsForceField(fluid))
     {
         ++storage.spectralVectors;
         ++storage.realVectors;
+        storage.realScalars += 3;
     }
     if (settings.incremental) { storage.spectralScalars += 3; } // now, before the step, in the file
 
@@ -54,7 +58,11 @@ SolverStorage boundedStorage(int dimensions, const Fluid& fluid, const FlowSetti
 {
     SolverStorage storage = boundedSolverStorage(dimensions);
     ++storage.realScalars; // the pressure's slope along a periodic axis
-    if (fluid.bodyForce) { ++storage.realVectors; }
+    if (needsForceField(fluid))
+    {
+        ++storage.realVectors;
+        storage.realScalars += 3;
+    }
     const bool oldPressure = settings.walls == WallTreatment::incremental ||
                              settings.walls == WallTreatment::rotational || settings.walls == WallTreatment::slip;
     if (oldPressure) { storage.realScalars += 3; } // now, before the step, in the file

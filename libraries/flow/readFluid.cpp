@@ -19,8 +19,9 @@ class FunctionForce : public BodyForce
 {
 public:
     FunctionForce(SpaceTimeFunction function, const Lattice& lattice)
-        : function_(std::move(function)), lattice_(lattice), coordinates_(lattice.coordinates())
+        : function_(std::move(function)), lattice_(lattice)
     {
+        if (!function_.isUniform()) { coordinates_ = lattice.coordinates(); }
     }
 
     void evaluate(double t, RealField& force) const override
@@ -34,10 +35,21 @@ public:
 
     bool dependsOnTime() const override { return function_.dependsOnTime(); }
 
+    std::optional<std::array<double, 3>> uniform() const override
+    {
+        if (!function_.isUniform()) { return std::nullopt; }
+        std::array<double, 3> force{};
+        for (int d = 0; d < lattice_.dimensions(); ++d)
+        {
+            force[static_cast<std::size_t>(d)] = function_(lattice_.direction(d), 0, 0, 0, 0);
+        }
+        return force;
+    }
+
 private:
     SpaceTimeFunction function_;
     Lattice lattice_;
-    std::array<std::vector<double>, 3> coordinates_;
+    std::array<std::vector<double>, 3> coordinates_; // none where no value depends on them
 };
 
 } // namespace

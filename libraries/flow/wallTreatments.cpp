@@ -131,8 +131,8 @@ void BoundedFlow::advanceByPressurePoisson(const Substep& substep, double t, dou
     constexpr double feedback = 0.2;
     const double start = t + substep.start * dt;
     evaluateRate(start, 0);
-    addDivergence(velocity_, increment_);
-    addDivergence(rate_, source_);
+    divergenceOf(velocity_, 1, increment_);
+    divergenceOf(rate_, 1, source_);
     addScaled(feedback / dt, increment_, source_);
     if (fluid_.nu > 0)
     {

@@ -7,6 +7,8 @@
 #include "spectral/FourierTransform.hpp"
 #include "spectral/ModeRows.hpp"
 
+#include <span>
+
 namespace isph
 {
 
@@ -28,6 +30,9 @@ public:
 
     /// Whether d is parallel to the wave vector: then projecting along k is projecting along d.
     bool parallel() const { return sampled_.components() == 0; }
+
+    /// Q of D_j = i k_j Q by mode, where d is parallel to the wave vector; empty: 1.
+    std::span<const double> smoothing() const { return smoothing_; }
 
     const ModeRows& rows() const { return rows_; }
 

@@ -68,6 +68,7 @@ static void run(const CommandLine& line, Log& log)
     };
     const auto observe = [&]
     {
+        if (functions.empty()) { return; }
         const auto scope = timings.scope(Phase::functions);
         functions.execute(control.event(), flowAtTime(*flow, control, timings));
     };
