@@ -124,6 +124,29 @@ TEST(Evaluate, ReadsReportsFunctionsLinesAndCommands)
     line.abscissa = "y";
     line.profile = {"validation/mid.csv", "y", "u"};
     EXPECT_DOUBLE_EQ(value(line), 0.5);
+
+    // A line may also be reduced to a number.
+    line.profile.reset();
+    line.reduction = Quantity::Reduction::max;
+    line.reference = 5;
+    EXPECT_DOUBLE_EQ(value(line), 0.2);
+}
+
+TEST(Evaluate, TakesTheLargestOfOthers)
+{
+    const TemporaryFolder folder;
+    writeResults(folder);
+    Quantity largest = of(Quantity::Source::largestOf, "");
+    Quantity a = of(Quantity::Source::report, "errors.U.relL2");
+    Quantity b = of(Quantity::Source::report, "seconds.poisson");
+    a.name = "a";
+    b.name = "b";
+    largest.others = {"a", "b"};
+    const auto values = [&] { return evaluateAll({largest, a, b}, folder.path(), folder / "run"); };
+    EXPECT_EQ(values(), (std::vector<double>{0.5, 1e-3, 0.5}));
+    b = of(Quantity::Source::command, "echo nan");
+    b.name = "b";
+    EXPECT_TRUE(std::isnan(values()[0]));
 }
 
 TEST(Evaluate, NamesWhatThereIsInstead)

@@ -127,6 +127,14 @@ plot { cost { x N; y solve; logY no; } velocity { y velocity; } })");
     EXPECT_EQ(sweep.runs[0].quantities[2].per, "steps");
 }
 
+TEST(ReadSweep, NeedsNoErrorForAPictureOfCosts)
+{
+    const Sweep sweep = sweepOf("parameters { N (8 16); }\nplot { x N; y cpuTime; }");
+    EXPECT_TRUE(sweep.measures.empty());
+    EXPECT_EQ(sweep.pictures.front().yLabel, "processor time [s]");
+    EXPECT_THAT(refusal("parameters { N (8 16); }"), HasSubstr("error: is missing"));
+}
+
 TEST(ReadSweep, RefusesWithLineAndAdvice)
 {
     const std::string tail = "\nerror { report steps; }\n";
@@ -159,8 +167,10 @@ TEST(ReadSweep, RefusesWithLineAndAdvice)
     EXPECT_THAT(refusal("parameters { N { values (20); entry count; } }" + tail), HasSubstr("is no FILE.ENTRY"));
     EXPECT_THAT(refusal("parameters { N (20); }\nvariants { a { parameters { M (1); } } }" + tail),
                 HasSubstr("M: is not a parameter of the sweep"));
-    EXPECT_THAT(refusal("parameters { N (20); }\nerror { line a; column U.x; reference 3; }"),
-                HasSubstr("reference: is 3 but must be"));
+    EXPECT_THAT(refusal("parameters { N (20); }\nerror { line a; column U.x; reference \"a.csv\"; }"),
+                HasSubstr("reference: is 'a.csv' but must be \"FILE:COLUMN:COLUMN\""));
+    EXPECT_THAT(refusal("parameters { N (20); }\nerror { largestOf (b); }\ncollect { a { report steps; } }"),
+                HasSubstr("'b' is not a known quantity\n    known are: a"));
 }
 
 TEST(AnnotatedWorkPrecisionDict, HasEveryKeyAndCanBeRead)

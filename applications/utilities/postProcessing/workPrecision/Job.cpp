@@ -61,6 +61,18 @@ std::string lastWords(const fs::path& log, const std::string& program)
     return named.empty() ? last : named;
 }
 
+/// The time that a solver without a report had reached, as its log has it: "0.25"; empty if it has none.
+std::string lastTime(const fs::path& log)
+{
+    std::ifstream file(log);
+    std::string last;
+    for (std::string line; std::getline(file, line);)
+    {
+        if (line.starts_with("Time = ")) { last = line.substr(7, line.find(' ', 7) - 7); }
+    }
+    return last;
+}
+
 std::string nameOf(const std::string& step) { return fs::path(wordsOf(step).front()).filename().string(); }
 
 } // namespace
@@ -158,8 +170,10 @@ void Job::judge()
         }
         if (code == 3)
         {
-            const auto time = report.number("time");
-            finish(RunStatus::diverged, time ? fmt::format("diverged at t = {:.6g}", *time) : "diverged");
+            const auto reached = report.number("time");
+            const std::string time = reached ? fmt::format("{:.6g}", *reached)
+                                             : lastTime(folder_ / fmt::format("log.{}", nameOf(steps_[step_])));
+            finish(RunStatus::diverged, time.empty() ? "diverged" : fmt::format("diverged at t = {}", time));
             return;
         }
     }

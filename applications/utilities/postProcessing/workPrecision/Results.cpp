@@ -68,10 +68,8 @@ void Results::collect(std::size_t run, const fs::path& caseDirectory)
         columns_["points"][run] = pointsOf(report);
     }
     if (record.status != RunStatus::done) { return; }
-    for (const Quantity& quantity : made.quantities)
-    {
-        columns_[quantity.name][run] = evaluate(quantity, caseDirectory, folder);
-    }
+    const std::vector<double> values = evaluateAll(made.quantities, caseDirectory, folder);
+    for (std::size_t i = 0; i < values.size(); ++i) { columns_[made.quantities[i].name][run] = values[i]; }
 }
 
 std::vector<double> Results::along(std::size_t line, const std::string& name) const

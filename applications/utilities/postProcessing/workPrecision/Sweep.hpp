@@ -19,8 +19,9 @@ struct Quantity
     {
         report,   ///< a number of postProcessing/report.json
         function, ///< a column of a function's CSV, reduced to a number
-        line,     ///< a sampled profile against a reference profile
-        command   ///< what a command of the shell prints
+        line,     ///< a sampled profile, reduced to a number or compared with a reference profile
+        command,  ///< what a command of the shell prints
+        largestOf ///< the largest of other quantities
     };
     enum class Reduction
     {
@@ -45,8 +46,9 @@ struct Quantity
 
     std::string name;
     Source source = Source::report;
-    std::string from;   ///< key of the report, function, line, or command
-    std::string column; ///< of the function or the line
+    std::string from;                ///< key of the report, function, line, or command
+    std::vector<std::string> others; ///< of largestOf: their names
+    std::string column;              ///< of the function or the line
     std::string abscissa;
     Reduction reduction = Reduction::last;
     Norm norm = Norm::max;
@@ -55,7 +57,7 @@ struct Quantity
     double end = std::numeric_limits<double>::infinity();
     bool overFirst = false;          ///< divide by the first row
     std::optional<double> reference; ///< relative difference to it
-    Profile profile;
+    std::optional<Profile> profile;
     std::string per; ///< key of the report to divide by
     std::string label;
     Origin origin;

@@ -73,7 +73,8 @@ std::string compiler()
 
 void writeProvenance(const Sweep& sweep, const std::string& command, const std::filesystem::path& file)
 {
-    writeTextFile(file, Json::object({{"version", version},
+    writeTextFile(file, Json::object({{"title", sweep.title},
+                                      {"version", version},
                                       {"commit", commit()},
                                       {"compiler", compiler()},
                                       {"processor", processor()},

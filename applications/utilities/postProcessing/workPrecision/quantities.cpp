@@ -77,7 +77,6 @@ double ofLine(const Quantity& quantity, const fs::path& caseDirectory, const fs:
 {
     const fs::path results = latestFolder(quantity, folder / "postProcessing" / "sampleLines");
     const CsvTable line(results / (quantity.from + ".csv"), quantity.from + ".csv");
-    const CsvTable reference(caseDirectory / quantity.profile.file, quantity.profile.file.string());
     const auto finite = [&](const CsvTable& table, const std::string& abscissa, const std::string& column)
     {
         std::pair pair{table.column(abscissa, quantity.origin), table.column(column, quantity.origin)};
@@ -90,7 +89,9 @@ double ofLine(const Quantity& quantity, const fs::path& caseDirectory, const fs:
         return pair;
     };
     const auto [x, y] = finite(line, quantity.abscissa, quantity.column);
-    const auto [xReference, yReference] = finite(reference, quantity.profile.abscissa, quantity.profile.column);
+    if (!quantity.profile) { return reduce(quantity, x, y); }
+    const CsvTable reference(caseDirectory / quantity.profile->file, quantity.profile->file.string());
+    const auto [xReference, yReference] = finite(reference, quantity.profile->abscissa, quantity.profile->column);
     return deviation(quantity.norm, x, y, xReference, yReference);
 }
 
@@ -222,10 +223,32 @@ double evaluate(const Quantity& quantity, const fs::path& caseDirectory, const f
     case Quantity::Source::command:
         value = ofCommand(quantity, folder);
         break;
+    case Quantity::Source::largestOf:
+        break; // evaluateAll
     }
     if (!quantity.per.empty()) { value /= reported(quantity, reportOf(quantity, folder), quantity.per); }
     if (quantity.reference) { value = std::abs(value - *quantity.reference) / std::abs(*quantity.reference); }
     return value;
+}
+
+std::vector<double> evaluateAll(const std::vector<Quantity>& quantities, const fs::path& caseDirectory,
+                                const fs::path& folder)
+{
+    std::vector<double> values;
+    for (const Quantity& quantity : quantities) { values.push_back(evaluate(quantity, caseDirectory, folder)); }
+    for (std::size_t i = 0; i < quantities.size(); ++i)
+    {
+        for (const std::string& name : quantities[i].others)
+        {
+            const auto other = std::ranges::find(quantities, name, &Quantity::name);
+            const double value = values[static_cast<std::size_t>(other - quantities.begin())];
+            // One that is missing makes the whole missing.
+            values[i] = name == quantities[i].others.front()         ? value
+                        : std::isnan(value) || std::isnan(values[i]) ? none
+                                                                     : std::max(values[i], value);
+        }
+    }
+    return values;
 }
 
 } // namespace isph

@@ -13,11 +13,12 @@ namespace isph
 namespace
 {
 
-constexpr std::array<std::pair<const char*, Quantity::Source>, 4> sources{{
+constexpr std::array<std::pair<const char*, Quantity::Source>, 5> sources{{
     {"report", Quantity::Source::report},
     {"function", Quantity::Source::function},
     {"line", Quantity::Source::line},
     {"command", Quantity::Source::command},
+    {"largestOf", Quantity::Source::largestOf},
 }};
 
 constexpr std::array<std::pair<const char*, Quantity::Reduction>, 5> reductions{{
@@ -55,14 +56,19 @@ void readSource(const Dictionary& dictionary, Quantity& quantity)
         if (!dictionary.has(key)) { continue; }
         given.emplace_back(key);
         quantity.source = source;
-        quantity.from = dictionary.text(key);
+        if (source != Quantity::Source::largestOf)
+        {
+            quantity.from = dictionary.text(key);
+            continue;
+        }
+        for (const Word& word : dictionary.words(key)) { quantity.others.push_back(word.text); }
     }
     if (given.size() != 1)
     {
         throw Error(Fault::input, dictionary.origin(),
                     given.empty() ? "does not say where the number comes from"
                                   : fmt::format("has both {} and {}", given[0], given[1]),
-                    "give it one of report, function, line and command");
+                    "give it one of report, function, line, command and largestOf");
     }
 }
 
@@ -87,7 +93,8 @@ Quantity readQuantity(const std::string& name, const Dictionary& written)
     if (dictionary.has("to")) { quantity.end = dictionary.number("to"); }
     quantity.overFirst = dictionary.flag("overFirst");
     quantity.per = textOr(dictionary, "per", "");
-    if (quantity.source == Quantity::Source::line) { quantity.profile = readProfile(dictionary); }
+    const bool named = dictionary.has("reference") && !scalarValue(*dictionary.find("reference"));
+    if (quantity.source == Quantity::Source::line && named) { quantity.profile = readProfile(dictionary); }
     else if (dictionary.has("reference"))
     {
         quantity.reference = dictionary.number("reference");
@@ -96,9 +103,9 @@ Quantity readQuantity(const std::string& name, const Dictionary& written)
             throw dictionary.error("reference", "is 0, to which nothing has a relative difference", "leave it out");
         }
     }
-    const std::string called = ofColumn ? quantity.column : quantity.from;
+    const std::string called = ofColumn ? quantity.column : quantity.others.empty() ? quantity.from : name;
     std::string label = called;
-    if (quantity.source == Quantity::Source::line) { label = fmt::format("deviation of {}", called); }
+    if (quantity.profile) { label = fmt::format("deviation of {}", called); }
     else if (quantity.reference)
     {
         label = fmt::format("relative error of {}{}",

@@ -139,13 +139,20 @@ void setDirectly(const Parameter& parameter, const std::string& value, Dictionar
 std::vector<Quantity> quantitiesOf(const Dictionary& dictionary, Sweep& sweep)
 {
     std::vector<Quantity> quantities;
-    const Dictionary& error = dictionary.dictionary("error");
-    const bool named = !error.entries().empty() &&
-                       std::ranges::all_of(error.entries(), [](const Entry& e) { return e.isDictionary(); });
-    if (!named) { quantities.push_back(readQuantity("error", error)); }
-    for (const Entry& entry : error.entries())
+    if (dictionary.has("error"))
     {
-        if (named) { quantities.push_back(readQuantity(entry.keyword(), entry.dictionary())); }
+        const Dictionary& error = dictionary.dictionary("error");
+        const bool named = !error.entries().empty() &&
+                           std::ranges::all_of(error.entries(), [](const Entry& e) { return e.isDictionary(); });
+        if (!named) { quantities.push_back(readQuantity("error", error)); }
+        for (const Entry& entry : error.entries())
+        {
+            if (named) { quantities.push_back(readQuantity(entry.keyword(), entry.dictionary())); }
+        }
+    }
+    else if (!dictionary.has("plot"))
+    {
+        throw dictionary.error("error", "is missing", "say what is compared, or give pictures of costs in plot");
     }
     sweep.measures.clear();
     for (const Quantity& quantity : quantities) { sweep.measures.push_back(quantity.name); }
@@ -172,6 +179,19 @@ void checkNames(const std::vector<Quantity>& quantities, const Sweep& sweep)
                         "choose another name");
         }
         taken.push_back(quantity.name);
+    }
+    std::vector<std::string> single;
+    for (const Quantity& quantity : quantities)
+    {
+        if (quantity.source != Quantity::Source::largestOf) { single.push_back(quantity.name); }
+    }
+    for (const Quantity& quantity : quantities)
+    {
+        for (const std::string& other : quantity.others)
+        {
+            const Word word{other, quantity.origin};
+            if (std::ranges::find(single, other) == single.end()) { throwUnknownWord("quantity", word, single); }
+        }
     }
 }
 

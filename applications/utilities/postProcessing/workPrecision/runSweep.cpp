@@ -85,6 +85,7 @@ public:
           total_(tasks_.size()),
           baseFiles_(baseHash(sweep))
     {
+        for (const Run& one : sweep.runs) { widest_ = std::max(widest_, label(sweep, one).size()); }
     }
 
     void run()
@@ -157,18 +158,18 @@ private:
             if (active.job->repetition() > 0) { what += fmt::format(" (repetition {})", active.job->repetition() + 1); }
             else
             {
-                for (const Quantity& quantity : run.quantities)
+                // Where the first run has no such number, none will have: that ends the sweep at once.
+                const auto values = evaluateAll(run.quantities, caseDirectory_, caseDirectory_ / run.folder);
+                for (std::size_t i = 0; i < sweep_.measures.size(); ++i)
                 {
-                    // Where the first run has no such number, none will have: that ends the sweep at once.
-                    what += fmt::format("   {} {:.4g}", quantity.name,
-                                        evaluate(quantity, caseDirectory_, caseDirectory_ / run.folder));
+                    what += fmt::format("   {} {:.4g}", sweep_.measures[i], values[i]);
                 }
             }
         }
         const double left = secondsLeft(sweep_, records_) / sweep_.jobs;
         const std::string more = tasks_.empty() && jobs_.empty() ? "" : fmt::format("   {} left", durationText(left));
-        log_.line(fmt::format("[{:>{}}/{}] {:<28} {}{}", finished_, std::to_string(total_).size(), total_,
-                              label(sweep_, run), what, left < 0 ? "" : more));
+        log_.line(fmt::format("[{:>{}}/{}] {:<{}} {}{}", finished_, std::to_string(total_).size(), total_,
+                              label(sweep_, run), widest_, what, left < 0 ? "" : more));
     }
 
     void showProgress()
@@ -208,6 +209,7 @@ private:
     std::deque<Task> tasks_;
     std::size_t total_;
     std::size_t finished_ = 0;
+    std::size_t widest_ = 0; ///< label
     std::string baseFiles_;
     std::vector<Active> jobs_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

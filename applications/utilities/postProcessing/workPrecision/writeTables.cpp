@@ -47,6 +47,19 @@ std::string runTable(const Results& results)
     return text;
 }
 
+/// Pictures whose slopes those of the measures do not cover.
+std::vector<const Picture*> otherPictures(const Sweep& sweep)
+{
+    std::vector<const Picture*> pictures;
+    for (const Picture& picture : sweep.pictures)
+    {
+        const bool measure = std::ranges::find(sweep.measures, picture.y) != sweep.measures.end();
+        const bool covered = measure && (picture.x == sweep.resolutionName() || picture.x == "cpuTime");
+        if (!covered) { pictures.push_back(&picture); }
+    }
+    return pictures;
+}
+
 std::string slopeTable(const Results& results)
 {
     const Sweep& sweep = results.sweep();
@@ -67,11 +80,10 @@ std::string slopeTable(const Results& results)
             row(measure, "cpuTime", "");
         }
         row("cpuTime", sweep.resolutionName(), "");
-        for (const Picture& picture : sweep.pictures)
+        for (const Picture* picture : otherPictures(sweep))
         {
-            const bool measure = std::ranges::find(sweep.measures, picture.y) != sweep.measures.end();
-            const bool covered = picture.x == sweep.resolutionName() && (measure || picture.y == "cpuTime");
-            if (!covered && !(measure && picture.x == "cpuTime")) { row(picture.y, picture.x, ""); }
+            const bool cost = picture->x == sweep.resolutionName() && picture->y == "cpuTime";
+            if (!cost) { row(picture->y, picture->x, ""); }
         }
     }
     return text;
@@ -172,6 +184,10 @@ std::string slopesText(const Results& results)
         rows[0].push_back(fmt::format("order{} in {}", name, sweep.resolutionName()));
         rows[0].push_back(fmt::format("slope{} in cpuTime", name));
     }
+    for (const Picture* picture : otherPictures(sweep))
+    {
+        rows[0].push_back(fmt::format("slope of {} in {}", picture->y, picture->x));
+    }
     const auto text = [](const std::optional<Slope>& fit) { return fit ? fmt::format("{:.2f}", fit->slope) : "-"; };
     for (std::size_t line = 0; line < sweep.lines.size(); ++line)
     {
@@ -180,6 +196,10 @@ std::string slopesText(const Results& results)
         {
             row.push_back(text(results.order(line, measure)));
             row.push_back(text(results.slope(line, "cpuTime", measure)));
+        }
+        for (const Picture* picture : otherPictures(sweep))
+        {
+            row.push_back(text(results.slope(line, picture->x, picture->y)));
         }
         rows.push_back(std::move(row));
     }
