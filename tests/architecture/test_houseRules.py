@@ -19,7 +19,7 @@ FORBIDDEN = [
 PACKAGES = {
     "fmt": "libfmt-dev", "OpenMP": "g++", "FFTW3": "libfftw3-dev", "HDF5": "libhdf5-dev", "PkgConfig": "pkg-config",
     "muparser": "libmuparser-dev", "Eigen3": "libeigen3-dev", "VTK": "libvtk9-dev", "GTest": "libgtest-dev",
-    "Python3": "python3",
+    "Python3": "python3", "MPI": "libopenmpi-dev",
 }
 MACHINE = re.compile(r"(?<![\w.])/(work|home|root|Users)/\w|(?<![\w.$}])/tmp/\w")
 

@@ -1,0 +1,232 @@
+// pressureCost: what the pressure costs, by transforms and by the iterative solvers of classical ISPH, for the same
+// Laplacian and the same random source.
+//
+//     OMP_NUM_THREADS=1 build/tests/pressureCost                              tables
+//     OMP_NUM_THREADS=1 build/tests/pressureCost -sizes 20,40,80 [-solves 3]  CSV: N x N points, h/dx = 2
+//     OMP_NUM_THREADS=1 build/tests/pressureCost -smoothing 1.3,2,4 -points 160   CSV: over h/dx
+//
+// Seconds are processor time of one thread, the least of several, taken in turn. Iterative solvers start from zero and
+// end at a residual of 1e-10; a solve that would take longer than all before it together is made once.
+
+#include "lattice/memoryEstimate.hpp"
+#include "pressureRace.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <fmt/format.h>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <vector>
+
+using namespace isph;
+using namespace isph::test;
+
+namespace
+{
+
+struct Options
+{
+    std::vector<double> sizes;
+    std::vector<double> smoothing;
+    int points = 160;
+    int solves = 3;
+    bool fftOnly = false;
+};
+
+struct Iterative
+{
+    double setup = 0;
+    double solve = std::numeric_limits<double>::infinity();
+    int iterations = 0;
+    int solves = 0;
+    double difference = 0; ///< of the solution from that by transforms
+};
+
+struct Costs
+{
+    double transforms = std::numeric_limits<double>::infinity(); ///< r2c + c2r alone
+    double fft = std::numeric_limits<double>::infinity();
+    double fftSetup = 0;
+    std::size_t neighbours = 0;
+    std::optional<Iterative> biCGStab; ///< none where the matrix does not fit into memory
+    std::optional<Iterative> cg;
+};
+
+/// A solve by transforms and its transforms alone, in turn.
+void raceTransforms(const PressureRace& race, Costs& costs, RealField& phi)
+{
+    std::optional<FourierPoisson> solver;
+    costs.fftSetup = processorSecondsOf([&] { solver.emplace(race.byTransforms(PlanEffort::measured)); });
+    FourierTransform pair(race.lattice(), 1, PlanEffort::measured);
+    SpectralField modes(1, pair.modes());
+    RealField real = copyOf(race.source());
+    const int repetitions = std::max(1, 200000 / static_cast<int>(race.lattice().points()));
+    for (int round = 0; round < 60; ++round)
+    {
+        const auto repeated = [&](auto work)
+        {
+            return processorSecondsOf(
+                       [&]
+                       {
+                           for (int i = 0; i < repetitions; ++i) { work(); }
+                       }) /
+                   repetitions;
+        };
+        costs.transforms = std::min(costs.transforms, repeated(
+                                                          [&]
+                                                          {
+                                                              pair.forward(race.source(), modes);
+                                                              pair.backward(modes, real);
+                                                          }));
+        costs.fft = std::min(costs.fft, repeated([&] { solver->solve(race.source(), phi); }));
+    }
+}
+
+Iterative raceIterative(const PressureRace& race, PressureSolver kind, int solves, const RealField& exact)
+{
+    Iterative cost;
+    std::optional<IterativePoisson> solver;
+    cost.setup = processorSecondsOf([&] { solver.emplace(race.iterative(kind)); });
+    RealField phi(1, race.lattice().points());
+    double spent = 0;
+    for (; cost.solves < solves; ++cost.solves)
+    {
+        if (cost.solves > 0 && spent > 10) { break; }
+        std::ranges::fill(phi[0], 0.0);
+        const double seconds = processorSecondsOf([&] { solver->solve(race.source(), phi); });
+        spent += seconds;
+        cost.solve = std::min(cost.solve, seconds);
+    }
+    cost.iterations = solver->result().iterations;
+    cost.difference = largestDifference(phi, exact);
+    return cost;
+}
+
+Costs costsOf(int points, const std::string& kernel, double smoothing, const Options& options)
+{
+    const PressureRace race(points, kernel, smoothing);
+    Costs costs;
+    costs.neighbours = race.neighbours();
+    RealField phi(1, race.lattice().points());
+    raceTransforms(race, costs, phi);
+    // Making the matrix needs it about twice.
+    if (options.fftOnly || 2.2 * race.bytes() > machineMemory()) { return costs; }
+    costs.biCGStab = raceIterative(race, PressureSolver::biCGStab, options.solves, phi);
+    costs.cg = raceIterative(race, PressureSolver::cg, options.solves, phi);
+    return costs;
+}
+
+void printCsv(const std::string& abscissa, const std::vector<double>& values, const Options& options)
+{
+    fmt::print(
+        "# processor time of one thread; random source, residual 1e-10, Jacobi; empty: the matrix does not fit\n");
+    fmt::print("{},kernel,neighbours,fft [s],r2c+c2r [s],fftSetup [s]", abscissa);
+    for (const char* solver : {"BiCGStab", "CG"})
+    {
+        fmt::print(",{0} [s],{0}Setup [s],{0}Iterations,{0}Solves,{0}Difference", solver);
+    }
+    fmt::print("\n");
+    for (const char* kernel : racingKernels)
+    {
+        for (const double value : values)
+        {
+            const bool sizes = abscissa == "N";
+            const Costs costs =
+                costsOf(sizes ? static_cast<int>(value) : options.points, kernel, sizes ? 2 : value, options);
+            fmt::print("{},{},{},{:.4e},{:.4e},{:.3e}", value, kernel, costs.neighbours, costs.fft, costs.transforms,
+                       costs.fftSetup);
+            for (const auto& solver : {costs.biCGStab, costs.cg})
+            {
+                if (solver)
+                {
+                    fmt::print(",{:.4e},{:.3e},{},{},{:.1e}", solver->solve, solver->setup, solver->iterations,
+                               solver->solves, solver->difference);
+                }
+                else { fmt::print(",,,,,"); }
+            }
+            fmt::print("\n");
+            std::fflush(stdout);
+        }
+    }
+}
+
+void printTables(const Options& options)
+{
+    fmt::print(
+        "{}",
+        R"~(The pressure at N x N points from a random source, both of mean zero, with the Morris Laplacian of a kernel: by
+transforms, and by its matrix with BiCGStab and with conjugate gradients, both preconditioned by Jacobi, from zero to a
+residual of 1e-10. Seconds are processor time of one thread, the least of several, taken in turn.
+
+| N | kernel, h/dx | neighbours | transforms | over r2c + c2r | BiCGStab: solve; iterations | ratio | CG: solve; iterations | ratio | matrix |
+| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |
+)~");
+    const auto row = [](int points, const char* kernel, double smoothing, const Costs& costs)
+    {
+        fmt::print("| {} | {}, {} | {} | {:.3g} ms | {:.2f} |", points, kernel, smoothing, costs.neighbours,
+                   1e3 * costs.fft, costs.fft / costs.transforms);
+        for (const auto& solver : {costs.biCGStab, costs.cg})
+        {
+            if (solver)
+            {
+                fmt::print(" {:.3g} s; {} | {:.0f} |", solver->solve, solver->iterations, solver->solve / costs.fft);
+            }
+            else { fmt::print(" - | - |"); }
+        }
+        if (costs.cg) { fmt::print(" {:.2g} s |\n", costs.cg->setup); }
+        else { fmt::print(" - |\n"); }
+        std::fflush(stdout);
+    };
+    for (const char* kernel : racingKernels)
+    {
+        for (const int points : {40, 80, 160}) { row(points, kernel, 2, costsOf(points, kernel, 2, options)); }
+    }
+    fmt::print(
+        "\nOver the smoothing length, 160 x 160 points, by transforms:\n\n| kernel | h/dx | neighbours | solve | "
+        "over r2c + c2r |\n| --- | --- | --- | --- | --- |\n");
+    Options fftOnly = options;
+    fftOnly.fftOnly = true;
+    for (const char* kernel : racingKernels)
+    {
+        for (const double smoothing : {1.3, 2.0, 3.0, 4.0})
+        {
+            const Costs costs = costsOf(160, kernel, smoothing, fftOnly);
+            fmt::print("| {} | {} | {} | {:.3g} ms | {:.2f} |\n", kernel, smoothing, costs.neighbours, 1e3 * costs.fft,
+                       costs.fft / costs.transforms);
+            std::fflush(stdout);
+        }
+    }
+}
+
+std::vector<double> numbers(const std::string& list)
+{
+    std::vector<double> values;
+    std::istringstream stream(list);
+    for (std::string value; std::getline(stream, value, ',');) { values.push_back(std::stod(value)); }
+    return values;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    Options options;
+    for (int i = 1; i < argc; i += 2)
+    {
+        const std::string option = argv[i];
+        const std::string value = i + 1 < argc ? argv[i + 1] : "";
+        if (option == "-sizes") { options.sizes = numbers(value); }
+        else if (option == "-smoothing") { options.smoothing = numbers(value); }
+        else if (option == "-points") { options.points = std::stoi(value); }
+        else if (option == "-solves") { options.solves = std::stoi(value); }
+        else
+        {
+            fmt::print(stderr, "pressureCost: unknown option {}\n", option);
+            return 2;
+        }
+    }
+    if (!options.sizes.empty()) { printCsv("N", options.sizes, options); }
+    if (!options.smoothing.empty()) { printCsv("h/dx", options.smoothing, options); }
+    if (options.sizes.empty() && options.smoothing.empty()) { printTables(options); }
+}
