@@ -3,6 +3,7 @@
 #include "core/Error.hpp"
 #include "fields/reductions.hpp"
 #include "flow/convectiveRates.hpp"
+#include "flow/faceConditions.hpp"
 #include "flow/stableNumbers.hpp"
 #include "operators/continuedBounds.hpp"
 #include "operators/lineSymbolOf.hpp"
@@ -25,22 +26,6 @@ End endOf(const FaceCondition& face)
     return face.pressure == PressureCondition::value ? End::dirichlet : End::neumann;
 }
 
-/// What the continuation of a velocity component knows at a face: on walls its points are values like any other.
-EndCondition velocityEnd(const FaceCondition& face, bool normal, bool staggered)
-{
-    if (face.velocity == VelocityCondition::slip && !normal) { return EndCondition::neumann; }
-    // Off the points nothing is known of what flows out but that it hardly changes.
-    if (face.velocity == VelocityCondition::outflow && staggered) { return EndCondition::neumann; }
-    return EndCondition::dirichlet;
-}
-
-/// The same for a viscous term by itself: it must not have an end that nothing holds (OutflowCondition), so at outlets
-/// the velocity does not change along the normal.
-EndCondition viscousCondition(const FaceCondition& face, bool normal, bool staggered)
-{
-    return face.velocity == VelocityCondition::outflow ? EndCondition::neumann : velocityEnd(face, normal, staggered);
-}
-
 EndCondition pressureEnd(const FaceCondition& face, bool staggered)
 {
     return staggered && endOf(face) == End::neumann ? EndCondition::neumann : EndCondition::dirichlet;
@@ -49,9 +34,7 @@ EndCondition pressureEnd(const FaceCondition& face, bool staggered)
 /// What an implicit viscous term knows of a velocity component at a face.
 LineEnd viscousEnd(const FaceCondition& face, bool normal, bool staggered)
 {
-    const bool given =
-        face.velocity == VelocityCondition::value || (face.velocity == VelocityCondition::slip && normal);
-    return given && !staggered ? LineEnd::value : LineEnd::free;
+    return holdsValue(face, normal) && !staggered ? LineEnd::value : LineEnd::free;
 }
 
 /// What flows out is differenced from inside.

@@ -1,5 +1,7 @@
 #include "flow/OutflowCondition.hpp"
 
+#include "flow/faceConditions.hpp"
+
 #include <algorithm>
 
 namespace isph
@@ -45,8 +47,9 @@ void OutflowCondition::replace(int d, std::span<const double> u, std::span<const
             const double outwards = carrier.empty() ? 0 : (outlet.high ? carrier[point] : -carrier[point]);
             if (outwards <= 0) { continue; }
             const auto inside = [&](std::size_t k) { return u[outlet.high ? point - k * inner : point + k * inner]; };
-            rate[point] -=
-                outwards * (11 * u[point] - 18 * inside(1) + 9 * inside(2) - 2 * inside(3)) / (6 * outlet.spacing);
+            double difference = 0;
+            for (std::size_t k = 0; k < outletDifference.size(); ++k) { difference += outletDifference[k] * inside(k); }
+            rate[point] -= outwards * difference / outlet.spacing;
         }
     }
 }

@@ -15,6 +15,7 @@ MAY_LINK = {
     "cleanCase": {"muparser"},
     "workPrecision": {"muparser"},
     "checkCase": {"muparser", "fftw", "hdf5"},
+    "checkStability": {"muparser", "fftw", "hdf5"},
     "isphFoam": {"muparser", "fftw", "hdf5"},
     "scalarTransportFoam": {"muparser", "fftw", "hdf5"},
     "sampleLines": {"muparser", "fftw", "hdf5"},

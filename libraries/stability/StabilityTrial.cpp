@@ -1,0 +1,148 @@
+#include "stability/StabilityTrial.hpp"
+
+#include "fields/fieldOperations.hpp"
+#include "fields/reductions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace isph
+{
+
+namespace
+{
+
+constexpr double noiseLevel = 1e-6; ///< of the velocity
+constexpr double beyondDoubt = 1e4; ///< growth after which a trial ends: still small against the base
+constexpr int amplitudesTaken = 30;
+
+double largestSpeed(const RealField& velocity)
+{
+    double largest = 0;
+    for (int c = 0; c < velocity.components(); ++c) { largest = std::max(largest, largestMagnitude(velocity[c])); }
+    return largest;
+}
+
+RealField disturbed(const RealField& base, double amplitude)
+{
+    RealField result = copyOf(base);
+    std::minstd_rand random(1);
+    for (int c = 0; c < result.components(); ++c)
+    {
+        for (double& value : result[c])
+        {
+            value += amplitude * (2 * static_cast<double>(random()) / static_cast<double>(std::minstd_rand::max()) - 1);
+        }
+    }
+    return result;
+}
+
+double distance(const RealField& a, const RealField& b)
+{
+    double squares = 0;
+    for (int c = 0; c < a.components(); ++c)
+    {
+        for (std::size_t i = 0; i < a.size(); ++i) { squares += (a[c][i] - b[c][i]) * (a[c][i] - b[c][i]); }
+    }
+    return std::sqrt(squares);
+}
+
+} // namespace
+
+NoiseHistory runTrial(StabilityTrial& trial, double fraction, int steps, Timings& timings)
+{
+    Scene& scene = *trial.scene;
+    const TimeScheme& scheme = *scene.settings.time;
+    const double speed = largestSpeed(trial.base);
+    scene.boundary.update(trial.time);
+    const auto flow = makeFlow(scene, timings, PlanEffort::estimated);
+    const auto calm = trial.steady ? nullptr : makeFlow(scene, timings, PlanEffort::estimated);
+    flow->start(disturbed(trial.base, noiseLevel * (speed > 0 ? speed : 1)), true);
+    if (calm) { calm->start(trial.base, true); }
+    const auto amplitude = [&] { return distance(flow->velocity(), calm ? calm->velocity() : trial.base); };
+
+    NoiseHistory history{.times = {0}, .amplitudes = {amplitude()}, .steps = {0}};
+    const int between = std::max(1, steps / amplitudesTaken);
+    double t = trial.time;
+    for (int step = 1; step <= steps; ++step)
+    {
+        double dt = fraction * trial.unit.value_or(trial.prediction.limit);
+        if (!trial.steady)
+        {
+            // Both flows may choose how they take their viscous term, and know their rates then.
+            flow->rates();
+            dt = fraction * largestStableStep(scheme, calm->rates());
+        }
+        if (!std::isfinite(dt))
+        {
+            history.finite = !std::isnan(dt);
+            break;
+        }
+        if (step == 1) { history.dt = dt; }
+        advance(scheme, *flow, t, dt);
+        if (calm) { advance(scheme, *calm, t, dt); }
+        t += dt;
+        history.made = step;
+        if (step % between != 0) { continue; }
+        const double reached = amplitude();
+        history.finite = std::isfinite(reached);
+        if (!history.finite) { break; }
+        history.times.push_back(t - trial.time);
+        history.steps.push_back(step);
+        history.amplitudes.push_back(reached);
+        if (reached > beyondDoubt * history.amplitudes.front()) { break; }
+    }
+    return history;
+}
+
+namespace
+{
+
+/// Growth of a step of the reference beyond what stretching can do to noise.
+double growthBeyondStretching(const NoiseHistory& history, double rate)
+{
+    if (history.steps.size() < 2) { return 0; }
+    const double grown = std::log(history.amplitudes.back() / history.amplitudes.front());
+    return std::max(grown - rate * history.times.back(), std::min(grown, 0.0)) / history.steps.back();
+}
+
+} // namespace
+
+TrialResult runFractions(StabilityTrial& trial, int steps, Timings& timings)
+{
+    constexpr double ofReference = 0.5;
+    constexpr double large = 4; // logarithm of all its growth
+    TrialResult result;
+    std::optional<NoiseHistory> reference;
+    bool hides = trial.modesGrow;
+    if (!trial.steady)
+    {
+        reference = runTrial(trial, ofReference, 2 * steps, timings);
+        const double grown = std::log(reference->amplitudes.back() / reference->amplitudes.front());
+        const bool flowGrows = growthBeyondStretching(*reference, trial.stretching) <= growthThreshold && grown > large;
+        hides = hides || flowGrows;
+        if (trial.modesGrow) { result.note = "a term grows by itself: nothing can be said of all of them together"; }
+        else if (flowGrows) { result.note = "noise grows in this flow by itself, and hides what steps add to it"; }
+    }
+    for (const double fraction : trial.fractions)
+    {
+        const bool isReference = reference && fraction == ofReference;
+        const NoiseHistory history = isReference ? *reference : runTrial(trial, fraction, steps, timings);
+        TrialRow row{.term = trial.term, .fraction = fraction};
+        row.outcome = {.dt = history.dt, .steps = history.made, .finite = history.finite};
+        row.outcome.growth = !reference    ? growthOf(history)
+                             : isReference ? growthBeyondStretching(history, trial.stretching)
+                                           : growthBeyond(*reference, history);
+        row.predicted = predictedGrowth(trial.prediction, history.dt);
+        row.expected = expectation(trial.prediction, history.dt);
+        // The limit is that of each step's velocity, the one of the start is not it.
+        if (reference) { row.expected = fraction <= 1 && !hides ? Verdict::stable : Verdict::either; }
+        row.observed = observation(row.outcome);
+        row.agrees = agree(row.expected, row.observed);
+        result.rows.push_back(std::move(row));
+    }
+    return result;
+}
+
+} // namespace isph
