@@ -2,6 +2,7 @@
 
 #include "fields/fieldOperations.hpp"
 #include "fields/reductions.hpp"
+#include "flow/BoundedFlow.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,50 +51,68 @@ double distance(const RealField& a, const RealField& b)
 
 } // namespace
 
-NoiseHistory runTrial(StabilityTrial& trial, double fraction, int steps, Timings& timings)
+NoiseHistory marchNoise(const TimeScheme& scheme, IncompressibleFlow& flow, IncompressibleFlow* calm,
+                        const RealField& base, double start, int steps, const std::function<double()>& step)
 {
-    Scene& scene = *trial.scene;
-    const TimeScheme& scheme = *scene.settings.time;
-    const double speed = largestSpeed(trial.base);
-    scene.boundary.update(trial.time);
-    const auto flow = makeFlow(scene, timings, PlanEffort::estimated);
-    const auto calm = trial.steady ? nullptr : makeFlow(scene, timings, PlanEffort::estimated);
-    flow->start(disturbed(trial.base, noiseLevel * (speed > 0 ? speed : 1)), true);
-    if (calm) { calm->start(trial.base, true); }
-    const auto amplitude = [&] { return distance(flow->velocity(), calm ? calm->velocity() : trial.base); };
+    const double speed = largestSpeed(base);
+    flow.start(disturbed(base, noiseLevel * (speed > 0 ? speed : 1)), true);
+    if (calm != nullptr) { calm->start(base, true); }
+    const auto amplitude = [&] { return distance(flow.velocity(), calm != nullptr ? calm->velocity() : base); };
 
     NoiseHistory history{.times = {0}, .amplitudes = {amplitude()}, .steps = {0}};
     const int between = std::max(1, steps / amplitudesTaken);
-    double t = trial.time;
-    for (int step = 1; step <= steps; ++step)
+    double t = start;
+    while (history.made < steps)
     {
-        double dt = fraction * trial.unit.value_or(trial.prediction.limit);
-        if (!trial.steady)
-        {
-            // Both flows may choose how they take their viscous term, and know their rates then.
-            flow->rates();
-            dt = fraction * largestStableStep(scheme, calm->rates());
-        }
+        const double dt = step();
         if (!std::isfinite(dt))
         {
             history.finite = !std::isnan(dt);
             break;
         }
-        if (step == 1) { history.dt = dt; }
-        advance(scheme, *flow, t, dt);
-        if (calm) { advance(scheme, *calm, t, dt); }
+        if (history.made == 0) { history.dt = dt; }
+        advance(scheme, flow, t, dt);
+        if (calm != nullptr) { advance(scheme, *calm, t, dt); }
         t += dt;
-        history.made = step;
-        if (step % between != 0) { continue; }
+        if (++history.made % between != 0) { continue; }
         const double reached = amplitude();
         history.finite = std::isfinite(reached);
         if (!history.finite) { break; }
-        history.times.push_back(t - trial.time);
-        history.steps.push_back(step);
+        history.times.push_back(t - start);
+        history.steps.push_back(history.made);
         history.amplitudes.push_back(reached);
         if (reached > beyondDoubt * history.amplitudes.front()) { break; }
     }
     return history;
+}
+
+double growthOfProjection(const Lattice& lattice, const FlowSettings& settings, FlowBoundary& atRest)
+{
+    constexpr int steps = 300;
+    constexpr double anyStep = 1;
+    const Fluid inviscid;
+    Timings timings;
+    atRest.update(0);
+    BoundedFlow flow(lattice, inviscid, settings, atRest, timings, PlanEffort::estimated);
+    const RealField nothing(lattice.dimensions(), lattice.points());
+    return growthOf(marchNoise(*settings.time, flow, nullptr, nothing, 0, steps, [=] { return anyStep; }));
+}
+
+NoiseHistory runTrial(StabilityTrial& trial, double fraction, int steps, Timings& timings)
+{
+    Scene& scene = *trial.scene;
+    const TimeScheme& scheme = *scene.settings.time;
+    scene.boundary.update(trial.time);
+    const auto flow = makeFlow(scene, timings, PlanEffort::estimated);
+    const auto calm = trial.steady ? nullptr : makeFlow(scene, timings, PlanEffort::estimated);
+    const auto step = [&]
+    {
+        if (trial.steady) { return fraction * trial.unit.value_or(trial.prediction.limit); }
+        // Both flows may choose how they take their viscous term, and know their rates then.
+        flow->rates();
+        return fraction * largestStableStep(scheme, calm->rates());
+    };
+    return marchNoise(scheme, *flow, calm.get(), trial.base, trial.time, steps, step);
 }
 
 namespace

@@ -3,6 +3,7 @@
 #include "flow/Scene.hpp"
 #include "stability/judgeTrial.hpp"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,6 +27,17 @@ struct StabilityTrial
     double time = 0;        ///< at the start [s]
     std::vector<double> fractions; ///< of the limit
 };
+
+/// What noise does to a flow that marches.
+/// \param base velocity that noise differs from, and starts on, where there is no calm flow
+/// \param calm the same flow, to march without noise beside it; or null
+/// \param step length of the next step; not finite: nothing limits it, and the march ends
+NoiseHistory marchNoise(const TimeScheme& scheme, IncompressibleFlow& flow, IncompressibleFlow* calm,
+                        const RealField& base, double start, int steps, const std::function<double()>& step);
+
+/// Growth of a step (logarithm) by the projection alone, in a bounded box with faces at rest.
+/// \param settings with convection none; to outlive the call
+double growthOfProjection(const Lattice& lattice, const FlowSettings& settings, FlowBoundary& atRest);
 
 /// Marches steps of a fraction of the limit, fewer where the noise has grown beyond doubt.
 NoiseHistory runTrial(StabilityTrial& trial, double fraction, int steps, Timings& timings);

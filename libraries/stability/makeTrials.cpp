@@ -122,15 +122,11 @@ double Planner::speedOfCase() const
 
 void Planner::measureAtRest()
 {
-    constexpr int steps = 300;
     StabilityTrial trial = trialOf("at rest", atRest());
-    Scene& scene = *trial.scene;
-    scene.settings.convection = ConvectionForm::none;
-    scene.settings.crankNicolson = scene.settings.automaticViscous = false;
-    scene.fluid.nu = 0;
-    trial.unit = 1;
-    Timings timings;
-    plan_.growthAtRest = growthOf(runTrial(trial, 1, steps, timings));
+    FlowSettings& settings = trial.scene->settings;
+    settings.convection = ConvectionForm::none;
+    settings.crankNicolson = settings.automaticViscous = false;
+    plan_.growthAtRest = growthOfProjection(lattice(), settings, trial.scene->boundary);
 }
 
 void Planner::addConvective()

@@ -1,8 +1,9 @@
 """checkStability: what it predicts of the schemes of a case, and that trials bear it out."""
 import json
+import os
 import unittest
 
-from cases import CaseTest, header
+from cases import ROOT, CaseTest, header, run
 from tutorials import Tutorial
 
 
@@ -119,6 +120,29 @@ class CheckStability(CaseTest):
         self.assertLessEqual(rows[0.7]["steps"], 200)
         for arguments in (("-fractions", "()"), ("-fractions", "(1 zwei)"), ("-steps", "3"), ("-steps", "many")):
             self.assertEqual(case.run("checkStability", *arguments).returncode, 2, arguments)
+
+    def test_table_of_schemes(self):
+        """The page of results is what the program prints."""
+        printed = run("checkStability", "-table")
+        self.assertEqual(printed.returncode, 0, printed.stderr)
+        with open(os.path.join(ROOT, "docs", "results", "stability.md"), encoding="utf-8") as file:
+            kept = file.read().split("```\n")[1]
+        rows = [[line.split() for line in text.splitlines()] for text in (kept, printed.stdout)]
+        self.assertEqual(len(rows[0]), len(rows[1]))
+        for expected, found in zip(*rows):
+            self.assertEqual(len(expected), len(found), (expected, found))
+            for old, new in zip(expected, found):
+                try:
+                    value = float(old)
+                except ValueError:
+                    self.assertEqual(old, new, (expected, found))
+                else:
+                    self.assertAlmostEqual(float(new), value, delta=0.1 * value, msg=f"{expected} {found}")
+        table = json.loads(run("checkStability", "-table", "-json").stdout)
+        self.assertEqual(table["periodic"][0]["kernel"], "quinticSpline")
+        self.assertEqual({row["continuation"] for row in table["walls"] if row["crankNicolson"]
+                          and row["kernel"] == "gaussian 20"},
+                         {"smoothGram 3", "smoothGram 4", "smoothGram 5", "polynomial 5, a quarter", "mirror"})
 
     def test_scalars_are_refused(self):
         case = self.tutorial("poiseuille", "(4 16 0)")

@@ -2,10 +2,12 @@
 //
 //     checkStability -case cavity                      spectra, limits, and trials at fractions of each limit
 //     checkStability -case cavity -noTrials            spectra and limits only
+//     checkStability -table                            what every kernel, continuation and scheme bears, without a case
 //     checkStability -case cavity -fractions '(0.9 1.1)' -steps 500
 //
 // Writes nothing into the case. Exit code 1 when a trial contradicts its prediction.
 
+#include "schemeTables.hpp"
 #include "StabilityReport.hpp"
 
 #include "case/readTimeControl.hpp"
@@ -66,6 +68,12 @@ static int stepsOf(const CommandLine& line)
 
 static void run(const CommandLine& line, Log& log)
 {
+    if (line.has("table"))
+    {
+        if (line.has("json")) { std::cout << schemeTables().text(); }
+        else { printSchemeTables(log); }
+        return;
+    }
     const std::vector<double> fractions = fractionsOf(line);
     const int steps = stepsOf(line);
     useRequestedThreads();
@@ -112,14 +120,15 @@ static void run(const CommandLine& line, Log& log)
 
 int main(int argc, char** argv)
 {
-    const Application application{.name = "checkStability",
-                                  .summary = "predicts how large steps the schemes of a case bear, and tries it",
-                                  .examples =
-                                      "checkStability -case cavity\ncheckStability -case cavity -noTrials -json",
-                                  .options = {{"noTrials", "", "spectra and limits only"},
-                                              {"steps", "N", "steps of a trial (400)"},
-                                              {"fractions", "'(0.5 0.9 0.98 1.03 2)'", "of the limits, to be tried"},
-                                              {"json", "", "print one JSON object and nothing else"}},
-                                  .banner = false};
+    const Application application{
+        .name = "checkStability",
+        .summary = "predicts how large steps the schemes of a case bear, and tries it",
+        .examples = "checkStability -case cavity\ncheckStability -case cavity -noTrials -json",
+        .options = {{"noTrials", "", "spectra and limits only"},
+                    {"steps", "N", "steps of a trial (400)"},
+                    {"fractions", "'(0.5 0.9 0.98 1.03 2)'", "of the limits, to be tried"},
+                    {"table", "", "what every kernel, continuation and scheme bears; needs no case"},
+                    {"json", "", "print one JSON object and nothing else"}},
+        .banner = false};
     return runApplication(application, argc, argv, run);
 }
