@@ -194,6 +194,19 @@ class Sweeps(CaseTest):
         # What was finished was not made again, but for a run killed between its last act and its record.
         self.assertLessEqual(len(case.text("ledger").splitlines()), 6 + len(moments))
 
+    def test_what_a_killed_sweep_left_running_is_ended(self):
+        case = self.fake(sleeps=300)
+        process = case.start("workPrecision")
+        self.assertTrue(wait_for(lambda: os.path.exists(case.path("workPrecision/second/N10/postProcessing/report.json"))))
+        time.sleep(0.2)  # the script has started a program of its own
+        process.kill()
+        process.communicate()
+        case.replace("system/flow", "sleeps 300", "sleeps 0.01")
+        start = time.monotonic()
+        self.sweeps(case)
+        self.assertLess(time.monotonic() - start, 60)
+        self.assertEqual({r["status"] for r in table(case)}, {"done"})
+
     def test_isphFoam_killed_at_any_moment_gives_the_same_errors(self):
         dictionary = header("workPrecisionDict") + """
 N 8;
@@ -245,6 +258,21 @@ error { function errors; column "relL2(U)"; }
         self.sweeps(one)
         self.sweeps(two, "-jobs", "2")
         self.assertEqual(without_times(table(one)), without_times(table(two)))
+
+    def test_a_time_step_has_an_order_as_well(self):
+        # Here the error grows with the parameter, and the runs become smaller.
+        case = self.fake("""
+dt 0.1;
+parameters { dt (0.1 0.05 0.025); }
+set { "system/flow" { N #eval{ 1/$dt }; } }
+commands (./fakeFoam);
+variants { second { set { "system/flow" { order 2; } } fit { to 0.05; } } }
+error { command "cat error"; }
+""")
+        self.sweeps(case)
+        self.assertAlmostEqual(orders(case)["second"], 2, places=9)
+        self.assertEqual(table(case, "slopes")[0]["points"], "2")
+        self.assertLess(float(table(case, "slopes")[1]["slope"]), 0)
 
     def test_external_results_are_compared(self):
         case = self.fake(DICTIONARY + """

@@ -184,7 +184,7 @@ TEST(AnnotatedWorkPrecisionDict, HasEveryKeyAndCanBeRead)
     expectMentioned(quantitySchema().keys(), text);
     expectMentioned(pictureSchema().keys(), text);
     EXPECT_EQ(readSweep(Case(folder / "box"), false).runs.size(), 12U);
-    EXPECT_EQ(readSweep(Case(folder / "box"), true).fitTo, 20);
+    EXPECT_EQ(readSweep(Case(folder / "box"), true).lines.front().fit.to, 20);
 }
 
 TEST(RunRecordFile, ReadsBackWhatWasWritten)

@@ -37,6 +37,7 @@ public:
     /// Sends a signal to it and to what it started.
     void signal(int number) const;
 
+    pid_t group() const { return pid_; }            ///< process group of it and what it started
     int exitCode() const { return exitCode_; }      ///< 128 + the signal that ended it
     double cpuTime() const { return cpuTime_; }     ///< of it and what it started [s]
     double wallTime() const;                        ///< so far [s]

@@ -26,7 +26,8 @@ constexpr double patience = 10;   // for what a killed sweep left running [s]
 constexpr double lastWarning = 5; // between asking a program to stop and making it [s]
 constexpr const char* cloneStep = "cloneCase";
 
-/// A lock that the run's programs hold as well: as long as one of them lives, nobody else writes there.
+/// A lock that the run's programs hold as well: as long as one of them lives, nobody else writes there. The file says
+/// which process group they are; one that outlived a killed sweep is ended.
 FileDescriptor lockOf(const fs::path& folder)
 {
     makeFolder(folder.parent_path());
@@ -34,6 +35,9 @@ FileDescriptor lockOf(const fs::path& folder)
     for (double waited = 0; flock(lock.number(), LOCK_EX | LOCK_NB) != 0; waited += 0.05)
     {
         if (errno != EWOULDBLOCK && errno != EINTR) { break; } // a file system without locks
+        // No other sweep of this case is running, so whoever holds the lock was started by one that was killed.
+        pid_t group = 0;
+        if (waited == 0 && (std::ifstream(lock.file()) >> group) && group > 1) { kill(-group, SIGKILL); }
         if (waited > patience)
         {
             throw Error(Fault::input, {folder.string(), 0, ""},
@@ -130,6 +134,8 @@ void Job::startNext()
         command.log = folder_ / fmt::format("log.{}", nameOf(steps_[step_]));
     }
     child_ = std::make_unique<ChildProcess>(command);
+    const std::string group = fmt::format("{:<12}", child_->group());
+    if (pwrite(lock_.number(), group.data(), group.size(), 0) < 0) { return; } // only a help for whoever comes next
 }
 
 bool Job::ended()

@@ -91,7 +91,8 @@ std::optional<Slope> Results::slope(std::size_t line, const std::string& x, cons
     {
         const double resolution = sweep_.runs[run].resolution;
         const bool counts = sweep_.runs[run].line == line && records_[run].status == RunStatus::done;
-        if (!counts || resolution < sweep_.fitFrom || resolution > sweep_.fitTo) { continue; }
+        const FitRange& fit = sweep_.lines[line].fit;
+        if (!counts || resolution < fit.from || resolution > fit.to) { continue; }
         xs.push_back(column(x)[run]);
         ys.push_back(column(y)[run]);
     }
@@ -102,12 +103,15 @@ std::optional<Slope> Results::order(std::size_t line, const std::string& measure
 {
     std::optional<Slope> fit = slope(line, sweep_.resolutionName(), measure);
     if (!fit) { return std::nullopt; }
-    // A resolution that counts points makes runs larger as it grows, a spacing or a time step makes them smaller.
+    // A resolution that counts points makes runs larger as it grows, a spacing or a time step makes them smaller: told
+    // by the points and steps of the runs, or by what they cost if that is all there is.
     const std::vector<double> resolution = along(line, sweep_.resolutionName());
-    std::vector<double> work = along(line, "points");
     const std::vector<double> steps = along(line, "steps");
+    std::vector<double> work = along(line, "points");
     for (std::size_t i = 0; i < work.size(); ++i) { work[i] *= steps[i]; }
-    const std::optional<Slope> growth = fitSlope(resolution, work);
+    std::optional<Slope> growth = fitSlope(resolution, work);
+    if (!growth) { growth = fitSlope(resolution, steps); }
+    if (!growth) { growth = fitSlope(resolution, along(line, "cpuTime")); }
     if (!growth || growth->slope >= 0) { fit->slope = -fit->slope; }
     return fit;
 }

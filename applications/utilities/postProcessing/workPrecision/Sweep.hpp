@@ -84,11 +84,19 @@ struct Run
     std::vector<Quantity> quantities;
 };
 
+/// Resolutions that slopes are fitted to.
+struct FitRange
+{
+    double from = -std::numeric_limits<double>::infinity();
+    double to = std::numeric_limits<double>::infinity();
+};
+
 /// What one curve of the picture is made of: a variant with the values of all parameters but the resolution.
 struct Line
 {
     std::string name;
     std::string title;
+    FitRange fit;
 };
 
 /// Results that were not made here, read from a CSV file.
@@ -123,8 +131,6 @@ struct Sweep
     int jobs = 1;
     int repetitions = 1;
     double timeLimit = std::numeric_limits<double>::infinity(); ///< of one run [s]
-    double fitFrom = -std::numeric_limits<double>::infinity();
-    double fitTo = std::numeric_limits<double>::infinity();
     std::vector<Parameter> parameters;
     std::size_t resolution = 0; ///< the parameter along a line
     std::vector<Line> lines;

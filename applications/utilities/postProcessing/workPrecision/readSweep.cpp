@@ -106,6 +106,16 @@ std::vector<std::vector<std::string>> combinations(const std::vector<Parameter>&
     return result;
 }
 
+/// The range of `fit`: what a variant says, else the sweep.
+FitRange fitOf(const Dictionary& dictionary, FitRange range)
+{
+    if (!dictionary.hasDictionary("fit")) { return range; }
+    const Dictionary& fit = dictionary.dictionary("fit");
+    if (fit.has("from")) { range.from = fit.number("from"); }
+    if (fit.has("to")) { range.to = fit.number("to"); }
+    return range;
+}
+
 /// Lays a dictionary of dictionaries over another.
 void merge(Dictionary& target, const Dictionary& over)
 {
@@ -231,6 +241,7 @@ private:
         if (sweep_.runs.empty()) { checkNames(run.quantities, sweep_); }
 
         run.line = lineOf(name, own, lists, values);
+        sweep_.lines[run.line].fit = fitOf(own, fitOf(dictionary, {}));
         run.folder = std::filesystem::path("workPrecision") / forPath(sweep_.lines[run.line].name) /
                      forPath(sweep_.resolutionName() + values[sweep_.resolution]);
         sweep_.runs.push_back(std::move(run));
@@ -239,14 +250,14 @@ private:
     std::size_t lineOf(const std::string& name, const Dictionary& variant, const std::vector<Parameter>& lists,
                        const std::vector<std::string>& values)
     {
-        Line line{name, variant.has("title") ? variant.text("title") : name};
+        Line line{name, variant.has("title") ? variant.text("title") : name, {}};
         for (std::size_t i = 0; i < lists.size(); ++i)
         {
             if (i == sweep_.resolution) { continue; }
             line.name += fmt::format("{}{}{}", line.name.empty() ? "" : "-", lists[i].name, values[i]);
             line.title += fmt::format("{}{} {}", line.title.empty() ? "" : ", ", lists[i].name, values[i]);
         }
-        if (line.name.empty()) { line = {theCase_.name(), theCase_.name()}; }
+        if (line.name.empty()) { line = {theCase_.name(), theCase_.name(), {}}; }
         const auto found = std::ranges::find(sweep_.lines, line.name, &Line::name);
         if (found != sweep_.lines.end()) { return static_cast<std::size_t>(found - sweep_.lines.begin()); }
         for (const Line& other : sweep_.lines)
@@ -281,12 +292,6 @@ void readGeneral(const Case& theCase, const Dictionary& dictionary, Sweep& sweep
     sweep.jobs = dictionary.integer("jobs");
     sweep.repetitions = dictionary.integer("repetitions");
     if (scalarValue(*dictionary.find("timeLimit"))) { sweep.timeLimit = dictionary.number("timeLimit"); }
-    if (dictionary.hasDictionary("fit"))
-    {
-        const Dictionary& fit = dictionary.dictionary("fit");
-        if (fit.has("from")) { sweep.fitFrom = fit.number("from"); }
-        if (fit.has("to")) { sweep.fitTo = fit.number("to"); }
-    }
 }
 
 } // namespace

@@ -10,7 +10,12 @@ using Type = Key::Type;
 
 std::vector<Key> sweepKeys()
 {
+    const Key fit{.name = "fit",
+                  .type = Type::dictionary,
+                  .meaning = "resolutions that slopes are fitted to; a variant may have its own",
+                  .keys = {{.name = "from", .type = Type::number}, {.name = "to", .type = Type::number}}};
     const std::vector<Key> variant{
+        fit,
         {.name = "title", .type = Type::text, .meaning = "in the key of the picture; the name if left out"},
         {.name = "set",
          .type = Type::dictionary,
@@ -77,10 +82,7 @@ std::vector<Key> sweepKeys()
          .type = Type::dictionary,
          .meaning = "further columns of the table, a quantity each",
          .keys = {{.name = "*", .type = Type::dictionary, .keys = quantitySchema().keys()}}},
-        {.name = "fit",
-         .type = Type::dictionary,
-         .meaning = "resolutions that slopes are fitted to",
-         .keys = {{.name = "from", .type = Type::number}, {.name = "to", .type = Type::number}}},
+        fit,
         {.name = "plot", .meaning = "a picture, or a dictionary of named ones; else cpuTime and each error"},
         {.name = "external",
          .type = Type::dictionary,

@@ -106,20 +106,35 @@ std::string axis(const std::vector<Series>& series, bool ofX, bool logarithmic)
         const double margin = high > low ? 0.05 * (high - low) : 1;
         return fmt::format("set {}range [{:.6g}:{:.6g}]\n", name, low - margin, high + margin);
     }
-    // At least a decade, so that the axis has numbers on it; as powers of ten where they would be long.
+    // At least a decade, so that the axis has numbers on it.
     const double decades = std::log10(high / low);
     const double margin = std::pow(10.0, 0.06 * std::max(1.0, decades) + 0.5 * std::max(0.0, 1 - decades));
-    const bool plain = low >= 1e-3 && high < 1e5;
-    return fmt::format("set {0}range [{1:.6g}:{2:.6g}]\nset logscale {0} 10\nset m{0}tics 10\nset format {0} '{3}'\n",
-                       name, low / margin, high * margin, plain ? "%g" : "10^{%T}");
+    low /= margin;
+    high *= margin;
+    const std::string text =
+        fmt::format("set {0}range [{1:.6g}:{2:.6g}]\nset logscale {0} 10\nset m{0}tics 10\n", name, low, high);
+    // Powers of ten where there are many decades or plain numbers would be long; 1, 2, 5 where decades are few.
+    const bool plain = low >= 1e-4 && high < 1e5;
+    if (!plain || high / low > 1e5) { return text + fmt::format("set format {} '10^{{%T}}'\n", name); }
+    if (high / low > 100) { return text + fmt::format("set format {} '%g'\n", name); }
+    std::vector<std::string> tics;
+    for (int power = static_cast<int>(std::floor(std::log10(low))); std::pow(10.0, power) <= high; ++power)
+    {
+        for (const int digit : {1, 2, 5})
+        {
+            const double tic = digit * std::pow(10.0, power);
+            if (tic >= low && tic <= high) { tics.push_back(fmt::format("'{0:g}' {0:g}", tic)); }
+        }
+    }
+    return text + fmt::format("set {}tics ({})\n", name, fmt::join(tics, ", "));
 }
 
-/// Rows of the key below the picture, two columns where titles are short.
+/// Columns of the key below the picture: as many as gnuplot finds room for, which counts some ten pixels a letter.
 int keyColumns(const std::vector<Series>& series)
 {
     std::size_t longest = 0;
     for (const Series& one : series) { longest = std::max(longest, one.title.size()); }
-    return longest > 52 || series.size() < 2 ? 1 : longest > 32 || series.size() < 3 ? 2 : 3;
+    return longest > 36 || series.size() < 2 ? 1 : longest > 22 || series.size() < 3 ? 2 : 3;
 }
 
 } // namespace
@@ -160,7 +175,7 @@ std::string pictureScript(const Results& results, const Picture& picture)
     // Below the picture, where it hides no data.
     text += fmt::format("set key outside below center Left reverse noenhanced samplen 2.5 spacing 1.25 maxrows {}\n"
                         "set bmargin {:.2f}\n",
-                        rows, 5 + 1.3 * rows);
+                        rows, 4.2 + 1.25 * rows);
     text += "set border 3 lw 1.2\nset tics nomirror\nset grid xtics ytics lc '#dddddd' lt 1 lw 0.8\n";
     text += axis(series, true, picture.logX) + axis(series, false, picture.logY);
     if (picture.x == results.sweep().resolutionName())
@@ -176,7 +191,7 @@ std::string pictureScript(const Results& results, const Picture& picture)
     text += "set encoding utf8\n";
     for (const char* kind : {"png", "svg"})
     {
-        text += fmt::format("set terminal {} enhanced size 900,{} font 'sans,13'\nset output {}\n",
+        text += fmt::format("set terminal {} enhanced size 1000,{} font 'sans,13'\nset output {}\n",
                             kind == std::string("png") ? "pngcairo" : "svg background 'white'", 560 + 24 * rows,
                             quoted(fmt::format("{}.{}", picture.name, kind)));
         text += curves.empty() ? "" : fmt::format("plot {}\n", fmt::join(curves, ", \\\n     "));
