@@ -101,12 +101,7 @@ BoundedFlow::BoundedFlow(const Lattice& lattice, const Fluid& fluid, const FlowS
     const bool closes = marches(WallTreatment::consistent) || marches(WallTreatment::pressurePoisson);
     const Axis& last = lattice_.activeAxis(*closedAxis_);
     if (boundedAxes != 1 || last.staggered || last.count < pointsOfSlopes || !closes) { closedAxis_.reset(); }
-    if (settings_.directPressure)
-    {
-        direct_.emplace(lattice_, continuedAxes(lattice_, settings_.continuations, settings_.kernel, ends), effort);
-        closedAxis_.reset();
-    }
-    else { poisson_.emplace(lattice_, ends, effort); }
+    makePoisson(ends, effort);
     if (closedAxis_)
     {
         for (auto& side : sourceSlopes_) { side.assign(slopes_[at(*closedAxis_)][0].size(), 0.0); }
@@ -244,6 +239,25 @@ void BoundedFlow::makeExtended(PlanEffort effort)
     }
 }
 
+void BoundedFlow::makePoisson(const std::array<AxisEnds, 3>& ends, PlanEffort effort)
+{
+    const bool morris = settings_.iteration || settings_.eigenvalues == Eigenvalues::morris;
+    if (settings_.directPressure || morris) { closedAxis_.reset(); }
+    if (settings_.directPressure)
+    {
+        direct_.emplace(lattice_, continuedAxes(lattice_, settings_.continuations, settings_.kernel, ends), effort);
+    }
+    else if (settings_.iteration)
+    {
+        iterated_.emplace(lattice_, settings_.kernel, ends, *settings_.iteration, *settings_.time);
+    }
+    else if (morris)
+    {
+        mirrored_.emplace(lattice_, KernelSamples(lattice_, settings_.kernel, LaplacianForm::morris), ends, effort);
+    }
+    else { poisson_.emplace(lattice_, ends, effort); }
+}
+
 void BoundedFlow::makeHelmholtz()
 {
     for (int c = 0; c < dimensions_; ++c)
@@ -302,7 +316,9 @@ StartReport BoundedFlow::start(const RealField& velocity, bool project)
         RealField given = copyOf(velocity);
         readNormal(velocity_, 1);
         subtractPrescribed(1);
+        apart_ = true;
         solvePressure(velocity_, 1, false, phi_);
+        apart_ = false;
         subtractGradient(1, phi_, velocity_);
         boundary_.imposeNormal(velocity_);
         if (balance_) { balance_->correct(velocity_); }
@@ -324,6 +340,7 @@ void BoundedFlow::save(FieldWriter& writer) const
 {
     writer.writeState("boundedU", velocity_);
     if (pressureKnown_) { writer.writeState("phi", phi_); }
+    if (iterated_) { iterated_->save(writer); }
 }
 
 void BoundedFlow::restore(const FieldReader& reader)
@@ -331,6 +348,7 @@ void BoundedFlow::restore(const FieldReader& reader)
     reader.readState("boundedU", velocity_);
     pressureKnown_ = reader.hasState("phi");
     if (pressureKnown_) { reader.readState("phi", phi_); }
+    if (iterated_) { iterated_->restore(reader); }
 }
 
 bool BoundedFlow::restores(const FieldReader& reader) const { return reader.hasState("boundedU"); }
@@ -339,6 +357,7 @@ void BoundedFlow::stepBack()
 {
     std::swap(velocity_, before_);
     if (marchesPressure()) { std::swap(phi_, phiBefore_); }
+    if (iterated_) { iterated_->stepBack(); }
 }
 
 StepRates BoundedFlow::rates()
@@ -380,12 +399,23 @@ bool BoundedFlow::canYield()
 
 std::vector<std::string> BoundedFlow::cautions() const
 {
+    std::vector<std::string> cautions;
     const bool increments = (settings_.crankNicolson && fluid_.nu > 0) || marches(WallTreatment::incremental) ||
                             marches(WallTreatment::rotational);
-    if (!increments || !boundary_.flowsThroughCorners()) { return {}; }
-    return {
-        "a lid moves towards a wall at rest, and increments of the pressure (walls incremental or rotational, viscous "
-        "CrankNicolson) end in another flow there: 20 % off in a cavity. Write walls consistent; viscous explicit;"};
+    if (increments && boundary_.flowsThroughCorners())
+    {
+        cautions.emplace_back(
+            "a lid moves towards a wall at rest, and increments of the pressure (walls incremental or rotational, "
+            "viscous CrankNicolson) end in another flow there: 20 % off in a cavity. Write walls consistent; viscous "
+            "explicit;");
+    }
+    if ((iterated_ || mirrored_) && settings_.continuation != "mirror")
+    {
+        cautions.emplace_back("the matrix of the pressure mirrors its neighbours at walls, but the continuation does "
+                              "not: most flows grow "
+                              "without limit. Write continuation { type mirror; } in system/schemes");
+    }
+    return cautions;
 }
 
 std::string_view BoundedFlow::viscousStep() const { return !mayYield_ ? "" : implicit_ ? "CrankNicolson" : "explicit"; }

@@ -7,12 +7,14 @@
 #include "flow/FlowSettings.hpp"
 #include "flow/Fluid.hpp"
 #include "flow/IncompressibleFlow.hpp"
+#include "flow/IteratedPressure.hpp"
 #include "flow/OutflowCondition.hpp"
 #include "flow/VolumeBalance.hpp"
 #include "operators/DerivativeSymbol.hpp"
 #include "operators/ExtendedOperators.hpp"
 #include "poisson/BoundedPoisson.hpp"
 #include "poisson/ContinuedHelmholtz.hpp"
+#include "poisson/MirroredPoisson.hpp"
 
 #include <optional>
 #include <vector>
@@ -42,6 +44,7 @@ public:
     const RealField& divergence() override;
     long transforms() const override { return transforms_; }
     std::string planFingerprint() const override { return fingerprint_; }
+    const PressureRecord* pressureRecord() const override { return iterated_ ? &iterated_->record() : nullptr; }
 
     std::vector<std::string> cautions() const override;
     std::string_view viscousStep() const override;
@@ -59,6 +62,7 @@ private:
     void makeDerivatives(PlanEffort effort);
     void makeExtended(PlanEffort effort);
     void makeHelmholtz();
+    void makePoisson(const std::array<AxisEnds, 3>& ends, PlanEffort effort);
     /// A hash of what the operators make of noise: plans that differ show in its last bits.
     std::string probe();
     /// Whether the viscous term can be taken implicitly; for viscous auto, which has a choice.
@@ -120,10 +124,12 @@ private:
     std::vector<ContinuedFilter> filters_;                            ///< by axis, as derivatives_
     std::vector<ExtendedOperators> extended_;                         ///< instead of derivatives_
     std::array<std::size_t, 4> extendedOf_{};                         ///< by component, the pressure after the last
-    std::optional<BoundedPoisson> poisson_;
+    std::optional<BoundedPoisson> poisson_;                           ///< one of these four
+    std::optional<MirroredPoisson> mirrored_;                         ///< eigenvalues morris
+    std::optional<IteratedPressure> iterated_;                        ///< the same, by iterations
+    std::optional<ContinuedHelmholtz> direct_;                        ///< solver direct
     OutflowCondition outflow_;
     std::optional<VolumeBalance> balance_;      ///< where there is an outlet
-    std::optional<ContinuedHelmholtz> direct_;  ///< solver direct
     std::vector<ContinuedHelmholtz> helmholtz_; ///< by velocity component; made when first needed
     /// Slopes of the pressure along the first periodic axis come with its solution, for one transform less.
     std::optional<PeriodicSlope> periodicSlope_;
@@ -153,6 +159,7 @@ private:
     double explicitRate_ = 0;    ///< one over the largest step with every term explicit
     bool pressureKnown_ = false; ///< phi_ is one that can be marched
     bool mayYield_ = false;      ///< viscous auto, and there is a way to take the term implicitly
+    bool apart_ = false;         ///< the pressure is solved off the steps
     bool implicit_ = false;      ///< the viscous term in this step
     long transforms_ = 0;
 };

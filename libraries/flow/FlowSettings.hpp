@@ -5,10 +5,12 @@
 #include "kernels/KernelSettings.hpp"
 #include "operators/LaplacianForm.hpp"
 #include "poisson/eigenvalues.hpp"
+#include "poisson/pressureSolvers.hpp"
 #include "schemes/TimeScheme.hpp"
 #include "spectral/dealiasing.hpp"
 #include "spectral/SpectralFilter.hpp"
 
+#include <optional>
 #include <string>
 
 namespace isph
@@ -38,7 +40,8 @@ struct FlowSettings
     Dealiasing dealiasing = Dealiasing::twoThirds;
     FilterSettings filter;
     Eigenvalues eigenvalues = Eigenvalues::consistent;
-    bool incremental = false; ///< the predictor knows the old pressure
+    std::optional<IterationSettings> iteration; ///< the pressure by the matrix of classical ISPH, not by transforms
+    bool incremental = false;                   ///< the predictor knows the old pressure
     bool initialProjection = true;
 
     // Bounded axes only.

@@ -3,6 +3,7 @@
 #include "fields/Field.hpp"
 #include "fieldStore/FieldReader.hpp"
 #include "fieldStore/FieldWriter.hpp"
+#include "flow/PressureRecord.hpp"
 #include "schemes/IncompressibleSystem.hpp"
 #include "schemes/stabilityLimits.hpp"
 
@@ -46,6 +47,9 @@ public:
 
     /// How the last step took the viscous term, where steps differ in that; else empty.
     virtual std::string_view viscousStep() const { return {}; }
+
+    /// What iterations for the pressure took in steps, where it is iterated; else null.
+    virtual const PressureRecord* pressureRecord() const { return nullptr; }
 
     /// Velocity at the points, its mean included; valid until the next step.
     virtual const RealField& velocity() = 0;

@@ -58,14 +58,11 @@ PhysicalFlow::PhysicalFlow(const Lattice& lattice, const Fluid& fluid, const Flo
     if (viscous) { laplacian = laplacianSymbol(lattice, settings_.kernel, settings_.laplacian, &samples); }
     bounds_ = operatorBounds(derivative_, laplacian, RetainedModes(lattice, Dealiasing::none));
 
-    AlignedVector<double> morris;
-    if (settings_.eigenvalues == Eigenvalues::morris)
+    if (settings_.iteration)
     {
-        const KernelSamples morrisSamples(lattice, settings_.kernel, LaplacianForm::morris);
-        morris = laplacianSymbol(lattice, settings_.kernel, LaplacianForm::morris, &morrisSamples);
+        iterated_.emplace(lattice, settings_.kernel, wallEnds(lattice), *settings_.iteration, *settings_.time);
     }
-    poisson_.emplace(lattice, invertedEigenvalues(derivative_.rows(), poissonEigenvalues(lattice, settings_.eigenvalues,
-                                                                                         derivative_, morris)));
+    else { makePoisson(); }
     operators_ = std::make_unique<DirectSumOperators>(lattice, std::move(samples));
 
     velocity_ = RealField(dimensions, points);
@@ -85,6 +82,18 @@ PhysicalFlow::PhysicalFlow(const Lattice& lattice, const Fluid& fluid, const Flo
     }
 }
 
+void PhysicalFlow::makePoisson()
+{
+    AlignedVector<double> morris;
+    if (settings_.eigenvalues == Eigenvalues::morris)
+    {
+        const KernelSamples samples(lattice_, settings_.kernel, LaplacianForm::morris);
+        morris = laplacianSymbol(lattice_, settings_.kernel, LaplacianForm::morris, &samples);
+    }
+    auto eigenvalues = poissonEigenvalues(lattice_, settings_.eigenvalues, derivative_, morris);
+    poisson_.emplace(lattice_, invertedEigenvalues(derivative_.rows(), std::move(eigenvalues)));
+}
+
 StartReport PhysicalFlow::start(const RealField& velocity, bool project)
 {
     SpectralField modes(lattice_.dimensions(), derivative_.rows().modes());
@@ -98,12 +107,14 @@ void PhysicalFlow::save(FieldWriter& writer) const
 {
     writer.writeState("physicalU", velocity_);
     if (settings_.incremental) { writer.writeState("p", incrementalPressure_); }
+    if (iterated_) { iterated_->save(writer); }
 }
 
 void PhysicalFlow::restore(const FieldReader& reader)
 {
     reader.readState("physicalU", velocity_);
     if (settings_.incremental && reader.hasState("p")) { reader.readState("p", incrementalPressure_); }
+    if (iterated_) { iterated_->restore(reader); }
 }
 
 bool PhysicalFlow::restores(const FieldReader& reader) const { return reader.hasState("physicalU"); }
@@ -112,6 +123,7 @@ void PhysicalFlow::stepBack()
 {
     std::swap(velocity_, before_);
     std::swap(incrementalPressure_, pressureBefore_);
+    if (iterated_) { iterated_->stepBack(); }
 }
 
 StepRates PhysicalFlow::rates()
@@ -252,8 +264,16 @@ void PhysicalFlow::advance(const Substep& substep, double t, double dt)
     }
     {
         const auto scope = timings_.scope(Phase::poisson);
-        poisson_->solve(source_, phi_);
-        transforms_ += 2;
+        if (iterated_)
+        {
+            iterated_->begin(substep);
+            iterated_->solve(source_, {}, phi_);
+        }
+        else
+        {
+            poisson_->solve(source_, phi_);
+            transforms_ += 2;
+        }
     }
     const auto scope = timings_.scope(Phase::pointwise);
     operators_->gradient(phi_, 0, gradient_);

@@ -4,6 +4,7 @@
 #include "flow/FlowSettings.hpp"
 #include "flow/Fluid.hpp"
 #include "flow/IncompressibleFlow.hpp"
+#include "flow/IteratedPressure.hpp"
 #include "flow/OutputPressure.hpp"
 #include "operators/Operators.hpp"
 #include "poisson/FourierPoisson.hpp"
@@ -14,7 +15,8 @@ namespace isph
 {
 
 /// ISPH whose velocity lives at the points and whose operators act there: the classical scheme of neighbour summation,
-/// with the pressure solved by transforms. The viscous term is explicit and nothing is dealiased or filtered.
+/// with the pressure solved by transforms or, all classically, by iterations. The viscous term is explicit and nothing
+/// is dealiased or filtered.
 class PhysicalFlow : public IncompressibleFlow
 {
 public:
@@ -34,6 +36,7 @@ public:
     const RealField& divergence() override;
     long transforms() const override { return transforms_; }
     std::string planFingerprint() const override { return "estimated"; }
+    const PressureRecord* pressureRecord() const override { return iterated_ ? &iterated_->record() : nullptr; }
 
     const OperatorBounds& bounds() const { return bounds_; }
 
@@ -41,6 +44,7 @@ private:
     /// rate = -(u . D)u + nu lap u + f.
     void evaluateRate(double t);
     void addConvection();
+    void makePoisson();
     /// Takes the checkerboards out of the velocity, as the start does: products at the points alias onto them.
     void clearCheckerboards();
 
@@ -52,6 +56,7 @@ private:
     OperatorBounds bounds_;
     std::unique_ptr<Operators> operators_;
     std::optional<FourierPoisson> poisson_;
+    std::optional<IteratedPressure> iterated_; ///< instead
     RealField velocity_;
     RealField before_; ///< the velocity before the last step
     RealField rate_;

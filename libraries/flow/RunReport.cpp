@@ -59,7 +59,7 @@ Json RunReport::json(const TimeControl& control, const Timings& timings, Ending 
         norms.set(first.field, std::move(ofField));
     }
     const double substeps = static_cast<double>(control.steps()) * substepsPerStep;
-    return Json::object(
+    Json report = Json::object(
         {{"schema", schema},
          {"version", version},
          {"case", caseName},
@@ -81,6 +81,17 @@ Json RunReport::json(const TimeControl& control, const Timings& timings, Ending 
                                            {"viscous", margin.viscous},
                                            {"ruling", margin.convectionRules() ? "convective" : "viscous"}})},
          {"errors", norms}});
+    if (pressure)
+    {
+        report.set("pressureSolver",
+                   Json::object({{"name", pressure->name},
+                                 {"solves", pressure->solves},
+                                 {"iterations", Json::object({{"mean", pressure->meanIterations()},
+                                                              {"max", pressure->mostIterations}})},
+                                 {"finalResidual", Json::object({{"max", pressure->largestResidual}})},
+                                 {"notConverged", pressure->unconverged}}));
+    }
+    return report;
 }
 
 void RunReport::print(Log& log, const TimeControl& control, const Timings& timings) const
@@ -109,6 +120,11 @@ void RunReport::print(Log& log, const TimeControl& control, const Timings& timin
                              static_cast<double>(peakMemory()) / 1e6));
         log.line(fmt::format("Largest step over its limit: convective {:.3g}, viscous {:.3g}", margin.convective,
                              margin.viscous));
+    }
+    if (pressure && pressure->solves > 0)
+    {
+        log.line(fmt::format("{}: {:.1f} iterations a solve, at most {}, largest residual {:.3g}", pressure->name,
+                             pressure->meanIterations(), pressure->mostIterations, pressure->largestResidual));
     }
     for (const ReportedError& error : errors)
     {

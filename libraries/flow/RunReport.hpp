@@ -6,8 +6,10 @@
 #include "core/Log.hpp"
 #include "core/Timings.hpp"
 #include "flow/describeScene.hpp"
+#include "flow/PressureRecord.hpp"
 #include "schemes/stabilityLimits.hpp"
 
+#include <optional>
 #include <string>
 
 namespace isph
@@ -36,6 +38,7 @@ struct RunReport
     long transforms = 0;    ///< of one component, in steps
 
     std::vector<ReportedError> errors;
+    std::optional<PressureRecord> pressure; ///< where it is iterated
 
     /// Takes note of a step.
     /// \param transformsSoFar of one component, in all steps

@@ -31,8 +31,8 @@ SpectralFlow::SpectralFlow(const Lattice& lattice, const Fluid& fluid, const Flo
 {
     const int dimensions = lattice.dimensions();
     const ModeRows& rows = derivative_.rows();
-    const bool consistent = settings_.eigenvalues == Eigenvalues::consistent;
-    projectAlongWavevector_ = consistent && derivative_.parallel() && !settings_.incremental;
+    const bool consistent = settings_.eigenvalues == Eigenvalues::consistent && !settings_.iteration;
+    projectAlongWavevector_ = consistent && derivative_.parallel() && !settings_.incremental && !settings_.iteration;
 
     AlignedVector<double> laplacian;
     if (fluid_.nu > 0) { laplacian = laplacianOf(lattice, settings_.kernel, settings_.laplacian); }
@@ -41,7 +41,8 @@ SpectralFlow::SpectralFlow(const Lattice& lattice, const Fluid& fluid, const Flo
     for (double& value : viscousSymbol_) { value *= fluid_.nu; }
     if (fluid_.nu > 0 && settings_.integratingFactor) { viscousFactors_.emplace(viscousSymbol_, *settings_.time); }
 
-    if (projectAlongWavevector_)
+    if (settings_.iteration) { makeIteration(effort); }
+    else if (projectAlongWavevector_)
     {
         AlignedVector<double> k2(rows.modes());
         const auto& k0 = rows.wavenumbers().derivative[0];
@@ -116,12 +117,14 @@ void SpectralFlow::save(FieldWriter& writer) const
 {
     writer.writeState("spectralU", state_);
     if (settings_.incremental) { writer.writeState("p", pressureModes_); }
+    if (iterated_) { iterated_->save(writer); }
 }
 
 void SpectralFlow::restore(const FieldReader& reader)
 {
     reader.readState("spectralU", state_);
     if (settings_.incremental && reader.hasState("p")) { reader.readState("p", pressureModes_); }
+    if (iterated_) { iterated_->restore(reader); }
     stateChanged();
 }
 
@@ -131,6 +134,7 @@ void SpectralFlow::stepBack()
 {
     std::swap(state_, before_);
     std::swap(pressureModes_, pressureBefore_);
+    if (iterated_) { iterated_->stepBack(); }
     stateChanged();
 }
 
@@ -311,7 +315,7 @@ const RealField& SpectralFlow::divergence()
 long SpectralFlow::transforms() const
 {
     long count = 0;
-    for (const auto* transform : {&inputTransform_, &productTransform_, &forceTransform_})
+    for (const auto* transform : {&inputTransform_, &productTransform_, &forceTransform_, &pressureTransform_})
     {
         if (*transform) { count += (*transform)->count(); }
     }
@@ -321,7 +325,7 @@ long SpectralFlow::transforms() const
 std::string SpectralFlow::planFingerprint() const
 {
     std::string fingerprint;
-    for (const auto* transform : {&inputTransform_, &productTransform_, &forceTransform_})
+    for (const auto* transform : {&inputTransform_, &productTransform_, &forceTransform_, &pressureTransform_})
     {
         if (*transform) { fingerprint += ((*transform)->fingerprint() + " "); }
     }

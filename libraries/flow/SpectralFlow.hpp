@@ -4,6 +4,7 @@
 #include "flow/FlowSettings.hpp"
 #include "flow/Fluid.hpp"
 #include "flow/IncompressibleFlow.hpp"
+#include "flow/IteratedPressure.hpp"
 #include "flow/OutputPressure.hpp"
 #include "flow/ViscousFactors.hpp"
 #include "operators/DerivativeSymbol.hpp"
@@ -39,6 +40,7 @@ public:
     const RealField& divergence() override;
     long transforms() const override;
     std::string planFingerprint() const override;
+    const PressureRecord* pressureRecord() const override { return iterated_ ? &iterated_->record() : nullptr; }
 
     const OperatorBounds& bounds() const { return bounds_; }
 
@@ -83,6 +85,14 @@ private:
     /// u = u* - d (d . u*)/L, along k where that is the same; the pressure acts over period.
     void projectVelocity(const Stretch& modes, double period);
     void filterVelocity(const Stretch& modes) const;
+    /// u -= period D p
+    void subtractSlope(const Stretch& modes, double period, const SpectralField& p) const;
+
+    /// The projection where the pressure is iterated: the source of all modes, to the points, phi, and back.
+    void makeIteration(PlanEffort effort);
+    void gatherSource(const Stretch& modes, double period);
+    void solveForPressure(const Substep& substep);
+    void correctVelocity(const Substep& substep, double period);
 
     Lattice lattice_;
     const Fluid& fluid_;
@@ -102,6 +112,11 @@ private:
     std::optional<FourierTransform> forceTransform_;
     std::optional<ViscousFactors> viscousFactors_;
     std::optional<MeanFlowFactors> meanFlowFactors_;
+    std::optional<IteratedPressure> iterated_; ///< instead of inverse_
+    std::optional<FourierTransform> pressureTransform_;
+    SpectralField phiModes_; ///< of the source, then of phi
+    RealField source_;
+    RealField phi_;
 
     SpectralField state_;
     SpectralField before_; ///< the state before the last step

@@ -227,7 +227,18 @@ void BoundedFlow::solvePoisson(bool keepsWalls, RealField& phi)
         direct_->solve(0, -1, source_[0], walls, phi[0]);
         return;
     }
+    if (iterated_)
+    {
+        if (apart_) { iterated_->solveApart(source_, walls, phi); }
+        else { iterated_->solve(source_, walls, phi); }
+        return;
+    }
     transforms_ += extended_.empty() ? 2 * dimensions_ : 2;
+    if (mirrored_)
+    {
+        mirrored_->solve(source_, walls, phi);
+        return;
+    }
     const PeriodicSlope* slope = periodicSlope_ ? &*periodicSlope_ : nullptr;
     if (slope != nullptr) { ++transforms_; }
     if (!closedAxis_)
@@ -264,6 +275,7 @@ void BoundedFlow::addRates(const Substep& substep, double dt)
 void BoundedFlow::advance(const Substep& substep, double t, double dt)
 {
     const double period = substep.a * dt;
+    if (iterated_) { iterated_->begin(substep); }
     if (substep.first)
     {
         copyInto(velocity_, before_);
@@ -344,6 +356,7 @@ const RealField& BoundedFlow::pressure(double t)
     if (pressure_.components() == 0) { pressure_ = RealField(1, lattice_.points()); }
     // The rate of change itself, projected: its prescribed normal component is the walls' acceleration.
     const long made = transforms_;
+    apart_ = true;
     boundary_.update(t);
     evaluateRate(t, fluid_.nu);
     readNormal(rate_, 1);
@@ -356,6 +369,7 @@ const RealField& BoundedFlow::pressure(double t)
         balance_->addPressure(rate_, pressure_);
     }
     transforms_ = made;
+    apart_ = false;
     return pressure_;
 }
 

@@ -49,6 +49,11 @@ void SpectralFlow::advance(const Substep& substep, double t, double dt)
         }
         if (convection_) { clearRow(row, kept, inputModes_); }
     }
+    if (iterated_)
+    {
+        solveForPressure(substep);
+        correctVelocity(substep, substep.a * dt);
+    }
     clearCheckerboards();
     inputModesReady_ = convection_ != nullptr;
     inputsReady_ = false;
@@ -124,6 +129,16 @@ void SpectralFlow::advanceStretch(std::size_t row, std::size_t begin, std::size_
     derivative_.row(row, begin, end, modes.d);
     evaluateRate(modes, from);
     predictVelocity(modes, substep, dt, from);
+    if (iterated_)
+    {
+        if (settings_.incremental) { subtractSlope(modes, substep.a * dt, pressureModes_); }
+        gatherSource(modes, substep.a * dt);
+        for (int c = 0; c < dimensions; ++c)
+        {
+            std::copy_n(modes.value[static_cast<std::size_t>(c)], modes.length, to[c].data() + modes.first);
+        }
+        return;
+    }
     projectVelocity(modes, substep.a * dt);
     if (substep.last && !filterFactors_[0].empty()) { filterVelocity(modes); }
     for (int c = 0; c < dimensions; ++c)
@@ -200,20 +215,26 @@ void SpectralFlow::projectVelocity(const Stretch& modes, double period)
     }
 
     // The predictor knows the old pressure; phi = -i (d . u*)/(L period) is what that one lacked.
+    subtractSlope(modes, period, pressureModes_);
     Complex* p = pressureModes_[0].data() + modes.first;
-    for (std::size_t c = 0; c < static_cast<std::size_t>(lattice_.dimensions()); ++c)
-    {
-        for (std::size_t i = 0; i < modes.length; ++i)
-        {
-            const double slope = period * d[c][i];
-            modes.value[c][i] += Complex(slope * p[i].imag(), -slope * p[i].real());
-        }
-    }
     Complex* multiplier = modes.rate[0]; // the rate was used up
     project(d, inverse, lattice_.dimensions(), modes.value, multiplier, modes.length);
     for (std::size_t i = 0; i < modes.length; ++i)
     {
         p[i] += Complex(multiplier[i].imag(), -multiplier[i].real()) / period;
+    }
+}
+
+void SpectralFlow::subtractSlope(const Stretch& modes, double period, const SpectralField& p) const
+{
+    const Complex* pressure = p[0].data() + modes.first;
+    for (std::size_t c = 0; c < static_cast<std::size_t>(lattice_.dimensions()); ++c)
+    {
+        for (std::size_t i = 0; i < modes.length; ++i)
+        {
+            const double slope = period * modes.d[c][i];
+            modes.value[c][i] += Complex(slope * pressure[i].imag(), -slope * pressure[i].real());
+        }
     }
 }
 

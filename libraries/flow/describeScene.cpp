@@ -2,6 +2,9 @@
 
 #include "flow/readFlowSettings.hpp"
 #include "lattice/fastCounts.hpp"
+#include "lattice/memoryEstimate.hpp"
+#include "neighbours/LatticeStencil.hpp"
+#include "poisson/MorrisSystem.hpp"
 
 #include <fmt/format.h>
 
@@ -43,6 +46,33 @@ std::string describeContinuation(const Axis& axis, const Continuation& continuat
     return fmt::format("continuation along {}: {}, {} points at each end, {} new points make a period of {}, {}",
                        axis.name, settings.continuation, continuation.points(), continuation.newPoints(), period,
                        isFastCount(period) ? "fast" : "slow");
+}
+
+/// What a kernel whose symbol is closed has to become for a matrix.
+std::string sampledFor(const KernelSettings& kernel)
+{
+    return kernel.symbol == KernelSettings::Symbol::closed
+               ? fmt::format(", the kernel sampled to {}h", kernel.supportRadius)
+               : std::string();
+}
+
+/// "pressure: BiCGStab, jacobi, tolerance 1e-10, at most 1000 iterations; 197 neighbours a point, matrix of 60.5 MB".
+std::string describeIteration(const Lattice& lattice, const FlowSettings& settings)
+{
+    const IterationSettings& iteration = *settings.iteration;
+    const KernelSettings& kernel = settings.kernel;
+    const std::size_t neighbours = latticeStencil(lattice, kernel.smoothingLength, kernel.supportRadius).size();
+    return fmt::format("pressure: {}, preconditioner {}, tolerance {}, at most {} iterations, {} neighbours a point{}, "
+                       "matrix of {}",
+                       pressureSolvers().nameOf(iteration.solver), preconditioners().nameOf(iteration.preconditioner),
+                       iteration.krylov.tolerance, iteration.krylov.maxIterations, neighbours, sampledFor(kernel),
+                       memoryText(morrisSystemBytes(lattice, neighbours)));
+}
+
+std::string_view solverName(const FlowSettings& settings)
+{
+    const PressureSolver transforms = settings.directPressure ? PressureSolver::direct : PressureSolver::fft;
+    return pressureSolvers().nameOf(settings.iteration ? settings.iteration->solver : transforms);
 }
 
 /// Transforms of all lines along one axis, one component of the velocity, a substep.
@@ -135,6 +165,9 @@ void Description::sortAxes()
         choose(settings_.extended, "transforms of the whole extended box", "transforms of the whole extended box");
         scene.active.push_back(fmt::format("walls: {}", wallTreatments().nameOf(settings_.walls)));
         choose(settings_.directPressure, "pressure: diagonalised continuation operators", "");
+        const bool mirrors = settings_.eigenvalues == Eigenvalues::morris && !settings_.directPressure;
+        choose(mirrors && !settings_.iteration, "pressure: mirrored Morris Laplacian" + sampledFor(settings_.kernel),
+               "");
     }
     else
     {
@@ -143,6 +176,7 @@ void Description::sortAxes()
         choose(settings_.incremental, "old pressure in the predictor", "old pressure in the predictor");
         scene.leftOut.emplace_back("continuation (every axis is periodic)");
     }
+    if (settings_.iteration) { scene.active.push_back(describeIteration(lattice_, settings_)); }
     scene.leftOut.emplace_back("pressure in steps that write none");
 }
 
@@ -162,9 +196,9 @@ void Description::listSchemes()
     {
         scene.schemes.insert(scene.schemes.end(),
                              {{"continuation", settings_.continuation + (settings_.extended ? ", extended" : "")},
-                              {"walls", std::string(wallTreatments().nameOf(settings_.walls))},
-                              {"solver", settings_.directPressure ? "direct" : "fft"}});
+                              {"walls", std::string(wallTreatments().nameOf(settings_.walls))}});
     }
+    scene.schemes.emplace_back("solver", solverName(settings_));
     scene.schemes.emplace_back("eigenvalues", eigenvalueForms().nameOf(settings_.eigenvalues));
     if (!bounded_) { scene.schemes.emplace_back("coupling", settings_.incremental ? "incremental" : "nonIncremental"); }
 }
@@ -178,19 +212,22 @@ void Description::countTransforms()
         bool anyPeriodic = false;
         for (int d = 0; d < dimensions; ++d) { anyPeriodic = anyPeriodic || lattice_.activeAxis(d).periodic(); }
         scene.transformsPerSubstep = (settings_.extended ? extendedTransforms : lineTransforms)(
-            dimensions, convects_, viscous_ && !settings_.crankNicolson, !settings_.directPressure);
-        // The slope of the pressure along it comes with the pressure.
-        if (anyPeriodic && scene.transformsOfLines && !settings_.directPressure) { --scene.transformsPerSubstep; }
+            dimensions, convects_, viscous_ && !settings_.crankNicolson,
+            !settings_.directPressure && !settings_.iteration);
+        // The slope of the pressure along it comes with the pressure of the boxes' own Laplacian.
+        const bool comes = !settings_.directPressure && settings_.eigenvalues != Eigenvalues::morris;
+        if (anyPeriodic && scene.transformsOfLines && comes) { --scene.transformsPerSubstep; }
         return;
     }
     if (settings_.directSum)
     {
-        scene.transformsPerSubstep = 2;
+        scene.transformsPerSubstep = settings_.iteration ? 0 : 2;
         return;
     }
     const auto convection =
         makeConvection(settings_.convection, dimensions, settings_.eigenvalues == Eigenvalues::consistent);
     scene.transformsPerSubstep = convection ? convection->inputs() + convection->products() : 0;
+    if (settings_.iteration) { scene.transformsPerSubstep += 2; } // the source to the points, and phi back
     if (fluid_.bodyForce && fluid_.bodyForce->dependsOnTime()) { scene.transformsPerSubstep += dimensions; }
 }
 

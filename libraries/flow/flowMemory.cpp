@@ -1,7 +1,9 @@
 #include "flow/flowMemory.hpp"
 
 #include "flow/Convection.hpp"
+#include "flow/IteratedPressure.hpp"
 #include "lattice/memoryEstimate.hpp"
+#include "neighbours/LatticeStencil.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +33,11 @@ SolverStorage spectralStorage(int dimensions, const Fluid& fluid, const FlowSett
         storage.realScalars += 3;
     }
     if (settings.incremental) { storage.spectralScalars += 3; } // now, before the step, in the file
+    if (settings.iteration)
+    {
+        ++storage.spectralScalars;
+        storage.realScalars += 2; // source and solution
+    }
 
     const bool sampled = settings.kernel.symbol == KernelSettings::Symbol::sampled;
     const int symbols = sampled ? dimensions : settings.kernel.exact() ? 0 : 1;
@@ -92,6 +99,19 @@ double extendedBoxes(const Lattice& lattice, const FlowSettings& settings)
     return 8 * arrays * points;
 }
 
+/// The matrix of the pressure and what iterates on it, or the table by modes that stands for it [bytes].
+double morrisMemory(const Lattice& lattice, const FlowSettings& settings)
+{
+    const KernelSettings& kernel = settings.kernel;
+    if (settings.iteration)
+    {
+        const std::size_t neighbours = latticeStencil(lattice, kernel.smoothingLength, kernel.supportRadius).size();
+        return iterationMemory(lattice, neighbours, settings.iteration->solver, *settings.time);
+    }
+    const bool table = settings.eigenvalues == Eigenvalues::morris && !lattice.periodic() && !settings.directPressure;
+    return table ? 24 * static_cast<double>(lattice.points()) : 0;
+}
+
 } // namespace
 
 double flowMemory(const Lattice& lattice, const Fluid& fluid, const FlowSettings& settings)
@@ -101,10 +121,11 @@ double flowMemory(const Lattice& lattice, const Fluid& fluid, const FlowSettings
     {
         const bool dense = settings.crankNicolson || settings.automaticViscous || settings.directPressure;
         return solverMemory(lattice, boundedStorage(dimensions, fluid, settings)) + (dense ? eigenbases(lattice) : 0) +
-               (settings.extended ? extendedBoxes(lattice, settings) : 0);
+               (settings.extended ? extendedBoxes(lattice, settings) : 0) + morrisMemory(lattice, settings);
     }
     return solverMemory(lattice, settings.directSum ? physicalStorage(dimensions, fluid, settings)
-                                                    : spectralStorage(dimensions, fluid, settings));
+                                                    : spectralStorage(dimensions, fluid, settings)) +
+           morrisMemory(lattice, settings);
 }
 
 } // namespace isph

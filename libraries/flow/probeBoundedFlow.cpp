@@ -77,7 +77,8 @@ std::string BoundedFlow::probe()
         }
     }
     if (direct_) { direct_->solve(0, -1, source_[0], walls, phi_[0]); }
-    else { poisson_->solve(source_, walls, phi_); }
+    else if (mirrored_) { mirrored_->solve(source_, walls, phi_); }
+    else if (poisson_) { poisson_->solve(source_, walls, phi_); }
     addBits(phi_[0], hash);
     std::ranges::fill(phi_[0], 0.0);
     return hexadecimal(hash);

@@ -2,9 +2,13 @@
 
 #include "continuation/continuationSelection.hpp"
 #include "core/Error.hpp"
+#include "flow/IteratedPressure.hpp"
+#include "flow/projectionRatio.hpp"
 #include "kernels/kernelSelection.hpp"
+#include "lattice/memoryEstimate.hpp"
 #include "operators/continuedBounds.hpp"
 
+#include <fmt/format.h>
 #include <string>
 
 namespace isph
@@ -25,6 +29,53 @@ FilterSettings readFilter(const Dictionary& filter)
             filter.number("fraction")};
 }
 
+std::optional<IterationSettings> readIteration(const Dictionary& p)
+{
+    const PressureSolver solver = pressureSolvers()[p.word("solver")];
+    if (!iterative(solver)) { return std::nullopt; }
+    return IterationSettings{.solver = solver,
+                             .preconditioner = preconditioners()[p.word("preconditioner")],
+                             .krylov = {p.number("tolerance"), p.integer("maxIter")}};
+}
+
+/// What the Morris Laplacian over neighbours needs: a kernel that has some, and room for the matrix.
+void checkMatrix(const Dictionary& p, const Lattice& lattice, const FlowSettings& settings)
+{
+    const bool mirrored =
+        !lattice.periodic() && settings.eigenvalues == Eigenvalues::morris && !settings.directPressure;
+    if (!settings.iteration && !mirrored) { return; }
+    const std::string key = settings.iteration ? "solver" : "eigenvalues";
+    if (settings.kernel.exact())
+    {
+        throw p.error(key, p.word(key).text + " sums over neighbours, and the exact derivative has none",
+                      "write solver fft; eigenvalues consistent; or choose another kernel");
+    }
+    try
+    {
+        const KernelSamples samples(lattice, settings.kernel, LaplacianForm::morris);
+        const double ratio = largestProjectionRatio(lattice, settings);
+        if (ratio >= 2)
+        {
+            throw Error(Fault::input,
+                        fmt::format("the Laplacian of this kernel's samples is too weak for its gradient, whose "
+                                    "divergence is up to {:.3g} times as large: beyond 2 the flow grows without limit",
+                                    ratio),
+                        "write a larger smoothingLength (2), or a lower order, in kernel; or solver fft; eigenvalues "
+                        "consistent;");
+        }
+        if (!settings.iteration) { return; }
+        requireCountable(lattice, samples);
+        const double bytes =
+            iterationMemory(lattice, samples.offsets.size(), settings.iteration->solver, *settings.time);
+        requireMemory(bytes, machineMemory(), {});
+    }
+    catch (const Error& error)
+    {
+        const Complaint& slip = error.complaints().front();
+        throw p.error(key, slip.what, slip.advice);
+    }
+}
+
 /// What acts on modes of a periodic box. Neighbour summation knows none: there it is off unless it was asked for, and
 /// then refused.
 void readPeriodic(const Dictionary& schemes, const Dictionary& solution, const Fluid& fluid, FlowSettings& settings)
@@ -35,7 +86,7 @@ void readPeriodic(const Dictionary& schemes, const Dictionary& solution, const F
         throw schemes.error("viscous", "CrankNicolson is of bounded axes, and every axis is periodic",
                             "write viscous integratingFactor; which is exact and limits nothing");
     }
-    if (solution.dictionary("p").word("solver").text == "direct")
+    if (pressureSolvers()[solution.dictionary("p").word("solver")] == PressureSolver::direct)
     {
         throw solution.dictionary("p").error("solver", "direct is of bounded axes, and every axis is periodic",
                                              "write solver fft;");
@@ -144,12 +195,12 @@ void readBounded(const Dictionary& schemes, const Dictionary& solution, const La
         throw schemes.error("dealiasing", "acts in periodic boxes only, but an axis is bounded",
                             "write dealiasing none; and a filter where small scales are not resolved");
     }
-    if (settings.eigenvalues != Eigenvalues::consistent && settings.eigenvalues != Eigenvalues::exact)
+    if (settings.eigenvalues == Eigenvalues::secondOrder || settings.eigenvalues == Eigenvalues::fourthOrder)
     {
         throw p.error("eigenvalues",
                       std::string(eigenvalueForms().nameOf(settings.eigenvalues)) +
                           " is of periodic boxes, but an axis is bounded",
-                      "write consistent or exact, which are the same here");
+                      "write consistent or exact, which are the same here, or morris");
     }
     if (settings.incremental)
     {
@@ -167,7 +218,7 @@ void readBounded(const Dictionary& schemes, const Dictionary& solution, const La
     settings.dealiasing = Dealiasing::none;
     settings.crankNicolson = viscous == ViscousTreatment::crankNicolson;
     settings.automaticViscous = viscous == ViscousTreatment::automatic && !settings.extended;
-    settings.directPressure = p.word("solver").text == "direct";
+    settings.directPressure = pressureSolvers()[p.word("solver")] == PressureSolver::direct;
     if (settings.directPressure && lattice.staggered())
     {
         throw p.error("solver", "direct needs points on the walls, but the lattice is staggered",
@@ -211,11 +262,15 @@ FlowSettings readFlowSettings(const Dictionary& writtenSchemes, const Dictionary
     settings.laplacian = laplacians()[schemes.word("laplacian")];
     settings.time = timeSchemes()[schemes.word("time")];
     settings.eigenvalues = eigenvalueForms()[solution.dictionary("p").word("eigenvalues")];
+    settings.iteration = readIteration(solution.dictionary("p"));
+    // The matrix is that operator, whatever else is written.
+    if (settings.iteration) { settings.eigenvalues = Eigenvalues::morris; }
     settings.incremental = solution.dictionary("coupling").word("type").text == "incremental";
     settings.initialProjection = solution.flag("initialProjection");
     settings.filter = readFilter(schemes.dictionary("filter"));
     if (lattice.periodic()) { readPeriodic(schemes, solution, fluid, settings); }
     else { readBounded(schemes, solution, lattice, settings); }
+    checkMatrix(solution.dictionary("p"), lattice, settings);
     if (settings.time->imaginaryLimit == 0 && fluid.nu == 0 && settings.convection != ConvectionForm::none)
     {
         throw schemes.error("time", "firstOrderProjection has no stable step for an inviscid flow",

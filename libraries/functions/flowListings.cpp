@@ -21,6 +21,8 @@ std::vector<Listing> flowListings()
             {"listDealiasings", [] { return dealiasings().words(); }},
             {"listFilters", [] { return filters().words(); }},
             {"listEigenvalues", [] { return eigenvalueForms().words(); }},
+            {"listPressureSolvers", [] { return pressureSolvers().words(); }},
+            {"listPreconditioners", [] { return preconditioners().words(); }},
             {"listVelocityConditions", [] { return velocityConditions().words(); }},
             {"listPressureConditions", [] { return pressureConditions().words(); }},
             {"listPresets", [] { return presets().words(); }},

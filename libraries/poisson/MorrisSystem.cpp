@@ -125,17 +125,6 @@ int reachOf(const KernelSamples& samples)
     return reach;
 }
 
-std::size_t entriesOf(const Lattice& lattice, const KernelSamples& samples)
-{
-    const double entries = static_cast<double>(lattice.points()) * static_cast<double>(samples.offsets.size());
-    if (entries >= SparseMatrix::mostEntries)
-    {
-        throw Error(Fault::input, "the matrix of the pressure would have more than 2147 million entries",
-                    "write solver fft; which needs no matrix, or take fewer points or a smaller supportRadius");
-    }
-    return static_cast<std::size_t>(entries);
-}
-
 std::size_t facesOf(const Lattice& lattice)
 {
     std::size_t points = 0;
@@ -153,7 +142,11 @@ MirrorData::Assembly::Assembly(MirrorData& target, const Lattice& lattice, const
                                const std::array<AxisEnds, 3>& ends, bool withMatrix)
     : system(target), reach(reachOf(samples)), data(facesOf(lattice), lattice.points(), 0)
 {
-    if (withMatrix) { matrix.emplace(lattice.points(), lattice.points(), entriesOf(lattice, samples)); }
+    if (withMatrix)
+    {
+        requireCountable(lattice, samples);
+        matrix.emplace(lattice.points(), lattice.points(), lattice.points() * samples.offsets.size());
+    }
     axes.reserve(3);
     std::size_t first = 0;
     for (int active = 0; active < lattice.dimensions(); ++active)
@@ -359,6 +352,14 @@ double MirrorData::rightHandSide(std::span<const double> source, const WallData&
     const double mean = (weights_.empty() ? sum(result) : sumOfProducts(result, weights_)) / totalWeight_;
     for (double& value : result) { value -= mean; }
     return -mean;
+}
+
+void requireCountable(const Lattice& lattice, const KernelSamples& samples)
+{
+    const double entries = static_cast<double>(lattice.points()) * static_cast<double>(samples.offsets.size());
+    if (entries < SparseMatrix::mostEntries) { return; }
+    throw Error(Fault::input, "the matrix of the pressure would have more than 2147 million entries",
+                "write solver fft; which needs no matrix, or take fewer points or a smaller supportRadius");
 }
 
 double morrisSystemBytes(const Lattice& lattice, std::size_t neighbours)

@@ -81,6 +81,9 @@ public:
     const SparseMatrix& matrix() const { return matrix_; } ///< [1/m^2]
 };
 
+/// \throws Error(input) without origin if the matrix has more entries than can be counted
+void requireCountable(const Lattice& lattice, const KernelSamples& samples);
+
 /// Bytes of the matrix, at most.
 double morrisSystemBytes(const Lattice& lattice, std::size_t neighbours);
 

@@ -89,6 +89,7 @@ static void run(const CommandLine& line, Log& log)
         const StabilityMargin margin = guard.judge(rates, dt);
         advance(scheme, *flow, control.time(), dt);
         report.step(margin, flow->transforms());
+        notePressure(*flow, report, log);
 
         rates = flow->rates();
         if (const auto diverged = guard.divergence(rates, dt, control))

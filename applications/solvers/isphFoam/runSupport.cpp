@@ -45,7 +45,21 @@ std::string divergenceLine(IncompressibleFlow& flow)
     {
         line += fmt::format("\nviscous term: {}", viscous);
     }
+    if (const PressureRecord* pressure = flow.pressureRecord()) { line = pressure->line() + "\n" + line; }
     return line;
+}
+
+void notePressure(const IncompressibleFlow& flow, RunReport& report, Log& log)
+{
+    const PressureRecord* record = flow.pressureRecord();
+    if (record == nullptr) { return; }
+    const long before = report.pressure ? report.pressure->unconverged : 0;
+    for (long n = before; n < record->unconverged; ++n)
+    {
+        log.warning("the pressure did not reach its tolerance; the run goes on with what it has (p.maxIter and "
+                    "p.tolerance in system/solution)");
+    }
+    report.pressure = *record;
 }
 
 FlowAtTime flowAtTime(IncompressibleFlow& flow, const TimeControl& control, const Timings& timings)

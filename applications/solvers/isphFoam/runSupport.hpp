@@ -24,6 +24,9 @@ std::vector<std::string> linesOn(const StartReport& started);
 /// The norms of the divergence, as a line of the log.
 std::string divergenceLine(IncompressibleFlow& flow);
 
+/// Takes note of what iterations for the pressure took, and warns of those of the last step that did not converge.
+void notePressure(const IncompressibleFlow& flow, RunReport& report, Log& log);
+
 /// A flow as its functions see it.
 FlowAtTime flowAtTime(IncompressibleFlow& flow, const TimeControl& control, const Timings& timings);
 

@@ -101,6 +101,48 @@ TEST(SchemesOfALattice, KnowEveryWordOfBoundedAxes)
     }
 }
 
+TEST(SolutionOfALattice, KnowsIterativeSolvers)
+{
+    const std::string fine = "kernel { type gaussian; order 4; smoothingLength 2; }\n";
+    EXPECT_FALSE(read(channel(65), fine).iteration);
+    const FlowSettings settings = read(channel(65), fine, "p { solver BiCGStab; }");
+    ASSERT_TRUE(settings.iteration);
+    EXPECT_EQ(settings.iteration->solver, PressureSolver::biCGStab);
+    EXPECT_EQ(settings.iteration->preconditioner, Preconditioning::jacobi);
+    EXPECT_EQ(settings.iteration->krylov.tolerance, 1e-10);
+    EXPECT_EQ(settings.iteration->krylov.maxIterations, 1000);
+    EXPECT_EQ(settings.eigenvalues, Eigenvalues::morris);
+    EXPECT_FALSE(settings.directPressure);
+    const FlowSettings other =
+        read(channel(65), fine, "p { solver CG; preconditioner none; tolerance 1e-6; maxIter 50; eigenvalues exact; }");
+    EXPECT_EQ(other.iteration->solver, PressureSolver::cg);
+    EXPECT_EQ(other.iteration->preconditioner, Preconditioning::none);
+    EXPECT_EQ(other.iteration->krylov.tolerance, 1e-6);
+    EXPECT_EQ(other.iteration->krylov.maxIterations, 50);
+    EXPECT_EQ(other.eigenvalues, Eigenvalues::morris);
+    EXPECT_EQ(read(channel(65), fine, "p { eigenvalues morris; }").eigenvalues, Eigenvalues::morris);
+}
+
+TEST(SolutionOfALattice, RefusesMatricesThatMakeNoSense)
+{
+    const auto refused = [](const std::string& schemes, const std::string& p)
+    { return refusal(channel(65), schemes, "p { " + p + " }"); };
+    const std::string fine = "kernel { type gaussian; order 4; smoothingLength 2; }";
+    EXPECT_THAT(refused("kernel { type exact; }", "solver CG;"),
+                StartsWith("system/solution:1: p.solver: CG sums over neighbours, and the exact derivative has none"));
+    EXPECT_THAT(refused("kernel { type exact; }", "eigenvalues morris;"),
+                StartsWith("system/solution:1: p.eigenvalues: morris sums over neighbours"));
+    EXPECT_THAT(refused("kernel { type gaussian; order 20; smoothingLength 1.5; }", "solver BiCGStab;"),
+                StartsWith("system/solution:1: p.solver: the Laplacian of this kernel's samples is too weak"));
+    EXPECT_THAT(refused("kernel { type gaussian; smoothingLength 0.1; supportRadius 5; }", "solver CG;"),
+                StartsWith("system/solution:1: p.solver: the support of the sampled kernel reaches no neighbour"));
+    EXPECT_THAT(refused(fine, "solver gmres;"), StartsWith("system/solution:1: p.solver: 'gmres' is not a known"));
+    EXPECT_THAT(refused(fine, "solver CG; preconditioner ilu;"), StartsWith("system/solution:1: p.preconditioner:"));
+    EXPECT_THAT(refused(fine, "solver CG; tolerance 0;"), StartsWith("system/solution:1: p.tolerance:"));
+    EXPECT_THAT(refused(fine, "solver CG; maxIter 0;"), StartsWith("system/solution:1: p.maxIter:"));
+    EXPECT_THAT(refused(fine, "eigenvalues secondOrder;"), StartsWith("system/solution:1: p.eigenvalues: secondOrder"));
+}
+
 TEST(SchemesOfALattice, RefuseWhatIsOfPeriodicBoxes)
 {
     const auto refused = [](const std::string& line) { return refusal(channel(65), kernel + line); };

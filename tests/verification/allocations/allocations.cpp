@@ -96,6 +96,20 @@ TEST(Allocations, noneInAStepOfTheSpectralFlow)
     }
 }
 
+TEST(Allocations, noneInAStepWhosePressureIsIterated)
+{
+    for (const PressureSolver solver : {PressureSolver::biCGStab, PressureSolver::cg})
+    {
+        FlowSettings spectral = plainSettings(sampledGaussian(4, 1.2, 4));
+        spectral.iteration = {.solver = solver};
+        EXPECT_EQ(allocationsOfSteps<SpectralFlow>(unitSquare(16), fluids().back(), std::move(spectral)), 0);
+        FlowSettings classical = plainSettings(quinticSpline(1));
+        classical.directSum = true;
+        classical.iteration = {.solver = solver, .preconditioner = Preconditioning::none};
+        EXPECT_EQ(allocationsOfSteps<PhysicalFlow>(unitCube(8), fluids().front(), std::move(classical)), 0);
+    }
+}
+
 TEST(Allocations, noneInAStepOfFirstOrderProjection)
 {
     EXPECT_EQ(allocationsOfSteps<SpectralFlow>(unitSquare(16), fluids().front(),

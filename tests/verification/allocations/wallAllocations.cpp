@@ -51,6 +51,19 @@ TEST(Allocations, noneInAStepBetweenWalls)
     }
 }
 
+TEST(Allocations, noneInAStepOfMirrorParticles)
+{
+    for (const bool iterated : {false, true})
+    {
+        FlowSettings settings = gaussianSettings(channelLattice(20), 4, 1.2);
+        settings.kernel.supportRadius = 5;
+        settings.eigenvalues = Eigenvalues::morris;
+        if (iterated) { settings.iteration = {.solver = PressureSolver::cg}; }
+        BoundedRun run = channelRun({.intervals = 20, .nu = 1}, std::move(settings));
+        EXPECT_EQ(allocationsOfSteps(run), 0) << iterated;
+    }
+}
+
 TEST(Allocations, noneInAStepOfCrankNicolson)
 {
     FlowSettings settings = gaussianSettings(channelLattice(20));

@@ -154,6 +154,19 @@ std::vector<std::pair<std::string, std::function<FlowSettings()>>> spectralVaria
                                   return settings;
                               });
     }
+    for (const bool incremental : {false, true})
+    {
+        variants.emplace_back("iterated",
+                              [incremental]
+                              {
+                                  FlowSettings settings = recommendedSettings(sampledGaussian(4, 1.2, 4));
+                                  settings.iteration = {.solver = PressureSolver::biCGStab, .krylov = {1e-6, 1000}};
+                                  settings.incremental = incremental;
+                                  settings.exactMeanFlow = true;
+                                  settings.filter = exponentialFilter();
+                                  return settings;
+                              });
+    }
     return variants;
 }
 
@@ -171,6 +184,14 @@ std::vector<std::pair<std::string, std::function<FlowSettings()>>> physicalVaria
                                   return settings;
                               });
     }
+    variants.emplace_back("directSum iterated",
+                          []
+                          {
+                              FlowSettings settings = plainSettings(quinticSpline(1.2), "firstOrderProjection");
+                              settings.directSum = true;
+                              settings.iteration = {.solver = PressureSolver::cg, .krylov = {1e-6, 1000}};
+                              return settings;
+                          });
     return variants;
 }
 

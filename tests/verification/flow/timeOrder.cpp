@@ -17,14 +17,14 @@ const TaylorGreen movingVortex{.nu = 0.01, .U0 = 1, .V0 = 0.5};
 constexpr std::array<int, 4> stepCounts{50, 100, 200, 400};
 
 /// What a run ends with.
-struct End
+struct LastState
 {
     RealField velocity;
     RealField pressure;
     double divergence; ///< largest magnitude
 };
 
-End endOf(FlowSettings settings, int steps)
+LastState endOf(FlowSettings settings, int steps)
 {
     FlowRun run(unitSquare(32), Fluid{.nu = movingVortex.nu}, std::move(settings));
     run.start([](int c, double x, double y, double) { return movingVortex.velocity(c, x, y, 0); });
@@ -70,7 +70,7 @@ TEST(TimeOrder, T2_rungeKuttaIsThirdOrder)
         {
             FlowSettings settings = plainSettings(exactKernel());
             settings.integratingFactor = integratingFactor;
-            const End end = endOf(std::move(settings), stepCounts[i]);
+            const LastState end = endOf(std::move(settings), stepCounts[i]);
             velocity.push_back(relativeL2(end.velocity, exactVelocity()));
             pressure.push_back(relativeL2(end.pressure, exactPressure()));
             EXPECT_NEAR(velocity.back() / expected[i], 1, 0.02);
@@ -90,7 +90,7 @@ TEST(TimeOrder, T2_firstOrderProjection)
     std::vector<double> pressure;
     for (const int steps : stepCounts)
     {
-        const End end = endOf(plainSettings(exactKernel(), "firstOrderProjection"), steps);
+        const LastState end = endOf(plainSettings(exactKernel(), "firstOrderProjection"), steps);
         velocity.push_back(relativeL2(end.velocity, exactVelocity()));
         pressure.push_back(relativeL2(end.pressure, exactPressure()));
     }
@@ -107,7 +107,7 @@ TEST(Coupling, consistentEigenvaluesMakeTheIncrementIrrelevant)
 {
     for (const ConvectionForm form : {ConvectionForm::divergence, ConvectionForm::advective})
     {
-        std::vector<End> ends;
+        std::vector<LastState> ends;
         for (const bool incremental : {false, true})
         {
             FlowSettings settings = paperKernel(Eigenvalues::consistent, incremental);
@@ -142,8 +142,8 @@ TEST(Coupling, mismatchedEigenvalues)
                            Row{Eigenvalues::fourthOrder, true, 4.7e-5, 1.5e-7, 1.9e-4, 0}})
     {
         SCOPED_TRACE(std::string(eigenvalueForms().nameOf(row.eigenvalues)) + (row.incremental ? " incremental" : ""));
-        const End coarse = endOf(paperKernel(row.eigenvalues, row.incremental), 50);
-        const End fine = endOf(paperKernel(row.eigenvalues, row.incremental), 400);
+        const LastState coarse = endOf(paperKernel(row.eigenvalues, row.incremental), 50);
+        const LastState fine = endOf(paperKernel(row.eigenvalues, row.incremental), 400);
         EXPECT_NEAR(relativeL2(coarse.velocity, limit) / row.coarse, 1, 0.1);
         EXPECT_NEAR(relativeL2(fine.velocity, limit) / row.fine, 1, 0.1);
         if (row.coarseDivergence > 0) { EXPECT_NEAR(coarse.divergence / row.coarseDivergence, 1, 0.1); }

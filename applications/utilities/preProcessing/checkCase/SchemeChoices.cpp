@@ -187,11 +187,13 @@ void sortSolution(const Dictionary& solution, const CaseReading& reading, Sorter
     const bool direct = reading.settings->directPressure;
     const Dictionary& p = solution.dictionary("p");
     sorter.sort(p, "solver", "");
-    sorter.sort(p, "eigenvalues", "", direct ? "the solver direct has its own" : "");
-    for (const char* key : {"preconditioner", "tolerance", "maxIter"})
-    {
-        sorter.idle(p, key, fmt::format("the solver {} does not iterate", direct ? "direct" : "fft"));
-    }
+    const bool iterates = reading.settings->iteration.has_value();
+    const std::string solver = p.word("solver").text;
+    const std::string ownEigenvalues = direct || iterates ? fmt::format("the solver {} has its own", solver) : "";
+    const bool morris = reading.settings->eigenvalues == Eigenvalues::morris && iterates;
+    sorter.sort(p, "eigenvalues", "", morris && p.word("eigenvalues").text == "morris" ? "" : ownEigenvalues);
+    const std::string idle = iterates ? "" : fmt::format("the solver {} does not iterate", solver);
+    for (const char* key : {"preconditioner", "tolerance", "maxIter"}) { sorter.sort(p, key, "", idle); }
     sorter.sort(solution.dictionary("coupling"), "type", "", bounded ? "between walls the word walls decides" : "");
     sorter.sort(solution, "initialProjection", "", restart ? "a run that goes on is not projected again" : "");
 }
