@@ -194,7 +194,7 @@ std::optional<double> instructionsOfStep(const std::filesystem::path& self, cons
         return numberAfter(output, "Collected :");
     };
     constexpr int few = 2;
-    constexpr int many = 6;
+    constexpr int many = 4;
     return (instructions(many) - instructions(few)) / (many - few);
 }
 
