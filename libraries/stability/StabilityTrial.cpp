@@ -118,6 +118,22 @@ NoiseHistory runTrial(StabilityTrial& trial, double fraction, int steps, Timings
 namespace
 {
 
+/// Steps after which the fastest mode, one of all those that noise is made of, stands out clearly; not fewer than asked
+/// for, and as many as that where the modes are not expected to grow.
+int stepsToSee(const StabilityTrial& trial, double fraction, int steps)
+{
+    constexpr double clearly = 2; // logarithm
+    constexpr double lastThird = 1.5;
+    constexpr double patience = 3000;
+    if (!trial.steady || trial.unit) { return steps; }
+    const double dt = fraction * trial.prediction.limit;
+    if (expectation(trial.prediction, dt) != Verdict::unstable) { return steps; }
+    const auto values = static_cast<double>(trial.base.size()) * trial.base.components();
+    const double growth = predictedGrowth(trial.prediction, dt).value_or(1);
+    const double needed = lastThird * (0.5 * std::log(values) + clearly) / growth;
+    return std::max(steps, static_cast<int>(std::min(needed, patience)));
+}
+
 /// Growth of a step of the reference beyond what stretching can do to noise.
 double growthBeyondStretching(const NoiseHistory& history, double rate)
 {
@@ -147,7 +163,8 @@ TrialResult runFractions(StabilityTrial& trial, int steps, Timings& timings)
     for (const double fraction : trial.fractions)
     {
         const bool isReference = reference && fraction == ofReference;
-        const NoiseHistory history = isReference ? *reference : runTrial(trial, fraction, steps, timings);
+        const NoiseHistory history =
+            isReference ? *reference : runTrial(trial, fraction, stepsToSee(trial, fraction, steps), timings);
         TrialRow row{.term = trial.term, .fraction = fraction};
         row.outcome = {.dt = history.dt, .steps = history.made, .finite = history.finite};
         row.outcome.growth = !reference    ? growthOf(history)

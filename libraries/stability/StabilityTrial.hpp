@@ -61,6 +61,8 @@ struct TrialResult
     std::string note; ///< what a reader should know of them; mostly empty
 };
 
+/// Trials whose modes are expected to grow take as many steps more as that needs to show among all the others.
+///
 /// Where the flow is not steady, its own growth is taken off: what half the limit shows, which must not be more than
 /// stretching can do. Growth that is large hides what a scheme adds to it; then anything may be seen.
 TrialResult runFractions(StabilityTrial& trial, int steps, Timings& timings);

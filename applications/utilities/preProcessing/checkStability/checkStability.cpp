@@ -125,7 +125,7 @@ int main(int argc, char** argv)
         .summary = "predicts how large steps the schemes of a case bear, and tries it",
         .examples = "checkStability -case cavity\ncheckStability -case cavity -noTrials -json",
         .options = {{"noTrials", "", "spectra and limits only"},
-                    {"steps", "N", "steps of a trial (400)"},
+                    {"steps", "N", "steps of a trial (400); more where modes grow slowly"},
                     {"fractions", "'(0.5 0.9 0.98 1.03 2)'", "of the limits, to be tried"},
                     {"table", "", "what every kernel, continuation and scheme bears; needs no case"},
                     {"json", "", "print one JSON object and nothing else"}},
