@@ -288,6 +288,31 @@ external { other { file "validation/other.csv"; title "another code"; columns { 
         self.sweeps(case, "-reduced")
         self.assertEqual([r["N"] for r in table(case)], ["4", "4", "8", "8"])
 
+    def test_the_base_case_may_be_another(self):
+        base = self.fake()
+        case = self.fake(DICTIONARY + 'baseCase "../../%s/fake";\n' % os.path.basename(os.path.dirname(base.dir)))
+        case.replace("system/flow", "sleeps", "snores")
+        os.remove(case.path("fakeFoam"))
+        self.sweeps(case)
+        self.assertAlmostEqual(orders(case)["fourth"], 4, places=9)
+        self.assertFalse(os.path.exists(base.path("workPrecision")))
+
+    def test_without_gnuplot_there_are_tables(self):
+        case = self.fake()
+        tools = case.path("tools")
+        os.mkdir(tools)
+        for tool in ("sh", "sed", "awk", "mkdir", "sleep", "cat"):
+            os.symlink(shutil.which(tool), os.path.join(tools, tool))
+        said = self.sweeps(case, env={"PATH": tools})
+        self.assertIn("no pictures: gnuplot is not installed", said)
+        self.assertEqual(len(table(case)), 6)
+        self.assertFalse(os.path.exists(case.path("postProcessing/workPrecision/workPrecision.png")))
+
+    def test_wrong_options(self):
+        case = self.fake()
+        for arguments in (("-jobs", "0"), ("-jobs", "two"), ("-plott",)):
+            self.assertEqual(case.run("workPrecision", *arguments).returncode, 2)
+
     def test_plot_and_clean(self):
         case = self.fake()
         self.refuses(case, "no run gave a result", arguments=("-plot",))
