@@ -28,6 +28,8 @@ struct Box
 
     bool active(std::size_t d) const { return extent[d] > 0; }
     bool pointsOnBothEnds(std::size_t d) const { return active(d) && ends[d] == Axis::Ends::bounded && !staggered; }
+    /// One along a periodic axis: nothing changes along it, and its component is carried along.
+    int fewestPoints(std::size_t d) const { return ends[d] == Axis::Ends::periodic ? 1 : 2; }
 };
 
 char axisName(std::size_t d) { return "xyz"[d]; }
@@ -91,7 +93,7 @@ std::array<int, 3> readCount(const Dictionary& dictionary, const Box& box)
                                    fmt::format("is {} along axis {}, whose extent is 0", written[d], axisName(d)),
                                    "write 1 to leave the axis out, or give it an extent");
         }
-        count[d] = box.active(d) ? wholeNumber(dictionary, "count", d, written[d], 2) : 1;
+        count[d] = box.active(d) ? wholeNumber(dictionary, "count", d, written[d], box.fewestPoints(d)) : 1;
     }
     return count;
 }
@@ -109,7 +111,8 @@ std::array<int, 3> readIntervals(const Dictionary& dictionary, const Box& box)
                                    "write 0 to leave the axis out, or give it an extent");
         }
         const int more = box.pointsOnBothEnds(d) ? 1 : 0;
-        count[d] = box.active(d) ? wholeNumber(dictionary, "intervals", d, written[d], 2 - more) + more : 1;
+        const int fewest = box.fewestPoints(d) - more;
+        count[d] = box.active(d) ? wholeNumber(dictionary, "intervals", d, written[d], fewest) + more : 1;
     }
     return count;
 }
@@ -138,10 +141,10 @@ std::array<int, 3> readSpacing(const Dictionary& dictionary, const Box& box)
                             box.extent[d] / (fewer + 1), fewer + 1));
         }
         const int more = box.pointsOnBothEnds(d) ? 1 : 0;
-        if (intervals + more < 2)
+        if (intervals + more < box.fewestPoints(d))
         {
             throw dictionary.error("spacing", fmt::format("{} leaves axis {} with one point", spacing, axisName(d)),
-                                   "an axis with an extent needs two points or more");
+                                   "an axis that ends at walls needs two points or more");
         }
         count[d] = wholeNumber(dictionary, "spacing", d, intervals, 1) + more;
     }

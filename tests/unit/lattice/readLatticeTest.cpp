@@ -45,6 +45,17 @@ std::array<int, 3> counts(const Lattice& lattice)
 
 const std::string channel = "patches { sides { type periodic; axis x; } walls { type wall; faces (yMin yMax); } }\n";
 
+TEST(MakeLattice, TakesOnePointAlongAPeriodicAxis)
+{
+    const std::array<int, 3> thin{1, 9, 1};
+    for (const char* points : {"count (1 9 1);", "intervals (1 8 0);", "spacing (1 0.125 1);"})
+    {
+        const Lattice lattice = made("extent (1 1 0); " + std::string(points) + "\n" + channel);
+        EXPECT_EQ(counts(lattice), thin) << points;
+        EXPECT_EQ(lattice.dimensions(), 2);
+    }
+}
+
 TEST(MakeLattice, ReadsPeriodicBoxes)
 {
     const Lattice lattice = made("origin (-0.5 -0.5 0); extent (1 1 0); count (160 120 1);\n" + sides);
@@ -117,12 +128,12 @@ TEST(MakeLattice, RefusesImpossibleBoxes)
 TEST(MakeLattice, RefusesImpossibleCounts)
 {
     EXPECT_EQ(refusedBox("extent (1 1 0);\ncount (8 0 1);"),
-              "system/latticeDict:2: count: is 0 along axis y but must be at least 2");
+              "system/latticeDict:2: count: is 0 along axis y but must be at least 1");
     EXPECT_EQ(refusedBox("extent (1 1 0);\ncount (-8 8 1);"),
-              "system/latticeDict:2: count: is -8 along axis x but must be at least 2");
+              "system/latticeDict:2: count: is -8 along axis x but must be at least 1");
     EXPECT_EQ(refusedBox("extent (1 1 0);\ncount (8 8.5 1);"),
               "system/latticeDict:2: count: is 8.5 along axis y but must be a whole number");
-    EXPECT_EQ(refusedBox("extent (1 1 0);\ncount (8 1 1);"),
+    EXPECT_EQ(refusal("extent (1 1 0);\ncount (8 1 1);\n" + channel),
               "system/latticeDict:2: count: is 1 along axis y but must be at least 2");
     EXPECT_EQ(refusedBox("extent (1 1 0);\ncount (8 8 8);"),
               "system/latticeDict:2: count: is 8 along axis z, whose extent is 0\n"
@@ -140,7 +151,7 @@ TEST(MakeLattice, RefusesImpossibleIntervals)
               "system/latticeDict:2: intervals: is 1 along axis z, whose extent is 0\n"
               "    write 0 to leave the axis out, or give it an extent");
     EXPECT_EQ(refusedBox("extent (1 1 0);\nintervals (8 0 0);"),
-              "system/latticeDict:2: intervals: is 0 along axis y but must be at least 2");
+              "system/latticeDict:2: intervals: is 0 along axis y but must be at least 1");
 }
 
 TEST(MakeLattice, RefusesImpossibleSpacings)
@@ -153,9 +164,9 @@ TEST(MakeLattice, RefusesImpossibleSpacings)
               "    write 0.3333333333333333 for 3 intervals or 0.25 for 4");
     EXPECT_EQ(refusedBox("extent (1 1 0);\nspacing -0.1;"),
               "system/latticeDict:2: spacing: is -0.1 along axis x but must be positive");
-    EXPECT_EQ(refusedBox("extent (1 1 0);\nspacing 1;"),
-              "system/latticeDict:2: spacing: 1 leaves axis x with one point\n"
-              "    an axis with an extent needs two points or more");
+    EXPECT_EQ(refusal("extent (1 1 0);\nspacing 1;\narrangement staggered;\n" + channel),
+              "system/latticeDict:2: spacing: 1 leaves axis y with one point\n"
+              "    an axis that ends at walls needs two points or more");
     EXPECT_EQ(refusedBox("extent (1 1 0);\nspacing 1e-12;"),
               "system/latticeDict:2: spacing: is 1000000000000 along axis x but can be at most 2147483646");
 }
