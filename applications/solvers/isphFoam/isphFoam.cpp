@@ -13,6 +13,7 @@
 #include "case/PurgeWrite.hpp"
 #include "case/readTimeControl.hpp"
 #include "case/RunLock.hpp"
+#include "core/FlushDenormals.hpp"
 #include "core/runApplication.hpp"
 #include "core/signals.hpp"
 #include "fields/threads.hpp"
@@ -32,6 +33,7 @@ static void run(const CommandLine& line, Log& log)
     if (line.has("postProcess")) { return postProcess(line, log); }
 
     // Read: everything the run needs, in the order one thing depends on another.
+    const FlushDenormals flush;
     Timings timings;
     auto setup = std::make_optional<Timings::Scope>(timings, Phase::setup);
     const int threads = useRequestedThreads();

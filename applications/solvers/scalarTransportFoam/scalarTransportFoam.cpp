@@ -9,6 +9,7 @@
 #include "case/PurgeWrite.hpp"
 #include "case/readTimeControl.hpp"
 #include "case/RunLock.hpp"
+#include "core/FlushDenormals.hpp"
 #include "core/runApplication.hpp"
 #include "core/signals.hpp"
 #include "fields/threads.hpp"
@@ -53,6 +54,7 @@ static Error divergence(const StepGuard& guard, const TimeControl& control, doub
 static void run(const CommandLine& line, Log& log)
 {
     // Read: everything the run needs, in the order one thing depends on another.
+    const FlushDenormals flush;
     Timings timings;
     auto setup = std::make_optional<Timings::Scope>(timings, Phase::setup);
     const int threads = useRequestedThreads();
