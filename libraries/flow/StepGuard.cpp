@@ -15,6 +15,7 @@ StabilityMargin StepGuard::judge(const StepRates& rates, double dt)
     const double stable = largestStableStep(scheme_, bearing);
     if (margin.convectionRules()) { longest_ = std::max(longest_, dt); }
     largestMargin_ = std::max(largestMargin_, dt / stable);
+    if (rates.courant > 0 && (least_ == 0 || rates.courant < least_)) { least_ = rates.courant; }
     if (dt > stable && !warned_)
     {
         warned_ = true;
@@ -32,13 +33,19 @@ std::optional<Error> StepGuard::divergence(const StepRates& rates, double dt, co
     const double over = finite ? stabilityMargin(scheme_, rates, dt).convective : 0;
     const bool collapsed = dt < 1e-4 * longest_ && control.settings().endTime - control.time() > 1e5 * dt &&
                            rates.convective > 0 && largestStableStep(scheme_, rates) < 2 * dt;
-    if (finite && over <= divergedCo_ && !collapsed) { return std::nullopt; }
+    const bool grown = rates.convective == 0 && largestMargin_ > 1 && rates.courant > 1e9 * least_ && least_ > 0;
+    if (finite && over <= divergedCo_ && !collapsed && !grown) { return std::nullopt; }
 
     const std::string what =
         collapsed
             ? fmt::format("the solution diverged before time {}: speeds have grown until the stable step is {:.3g} s, "
                           "{:.1g} of the longest one",
                           control.timeName(), dt, dt / longest_)
+        : finite && grown
+            ? fmt::format(
+                  "the solution diverged in the step after time {}: speeds have grown {:.1g}-fold in steps above "
+                  "the stable one",
+                  control.timeName(), rates.courant / least_)
         : finite
             ? fmt::format("the solution diverged in the step after time {}: the Courant number reached {:.3g}, {:.3g} "
                           "times the stable one",

@@ -25,7 +25,8 @@ public:
 
     /// The error if the state after a step of dt has diverged: anything not finite, a Courant number divergedCo times
     /// the stable one, or steps that have shrunk, as speeds grew, until the run would not end: 1e-4 of the longest one
-    /// that convection ruled, with 1e5 of them to go.
+    /// that convection ruled, with 1e5 of them to go; without convection, which no Courant number limits, speeds that
+    /// have grown 1e9-fold in steps above the stable one.
     std::optional<Error> divergence(const StepRates& rates, double dt, const TimeControl& control) const;
 
     /// The error of a run that has diverged.
@@ -41,6 +42,7 @@ private:
     double largestMargin_ = 0;
     double longest_ = 0; ///< step that convection ruled [s]
     double stable_ = 0;  ///< step at the time of the warning [s]
+    double least_ = 0;   ///< least Courant number over the step that was not zero [1/s]
 };
 
 } // namespace isph

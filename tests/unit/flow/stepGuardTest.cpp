@@ -52,6 +52,29 @@ TEST(StepGuard, DoesNotMindStepsThatFrictionRuled)
     EXPECT_FALSE(guard.divergence(ratesOf(2e5, 10), 5e-6, control));
 }
 
+TEST(StepGuard, EndsAFlowWithoutConvectionThatGrowsInStepsAboveTheLimit)
+{
+    Log log(Log::Report::none);
+    TimeSettings settings;
+    settings.endTime = 1000;
+    const TimeControl control(settings, TimeState{});
+    const auto rates = [](double courant)
+    {
+        StepRates result = ratesOf(0, 10);
+        result.courant = courant;
+        return result;
+    };
+    for (const double dt : {0.2, 0.3})
+    {
+        StepGuard guard(log, *scheme("RK3"), 100);
+        guard.judge(rates(0), dt); // at rest
+        guard.judge(rates(1e-6), dt);
+        guard.judge(rates(1e2), dt);
+        EXPECT_FALSE(guard.divergence(rates(1e2), dt, control)) << dt;
+        EXPECT_EQ(guard.divergence(rates(1e4), dt, control).has_value(), dt > 0.25) << dt;
+    }
+}
+
 TEST(StepGuard, DoesNotWarnOfATermThatYields)
 {
     Log log(Log::Report::none);
