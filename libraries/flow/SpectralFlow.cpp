@@ -225,12 +225,14 @@ StepRates SpectralFlow::rates()
     if (fluid_.nu > 0 && !settings_.integratingFactor) { rates.viscous = fluid_.nu * bounds_.laplacian; }
     if (!convection_)
     {
-        // Nothing is transformed: only see to it that the state is finite.
+        // Nothing is transformed: only see to it that the state is finite, and how large it is.
         for (int c = 0; c < state_.components(); ++c)
         {
             const auto* numbers = reinterpret_cast<const double*>(state_[c].data());
             if (!allFinite({numbers, 2 * state_.size()})) { rates.courant = std::nan(""); }
+            rates.magnitude += sumOfSquares({numbers, 2 * state_.size()});
         }
+        rates.magnitude = std::sqrt(rates.magnitude);
         return rates;
     }
     ensureInputs();

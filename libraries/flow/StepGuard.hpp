@@ -42,7 +42,7 @@ private:
     double largestMargin_ = 0;
     double longest_ = 0; ///< step that convection ruled [s]
     double stable_ = 0;  ///< step at the time of the warning [s]
-    double least_ = 0;   ///< least Courant number over the step that was not zero [1/s]
+    double least_ = 0;   ///< least size of the velocity that was not zero
 };
 
 } // namespace isph

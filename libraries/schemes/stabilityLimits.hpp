@@ -22,6 +22,10 @@ struct StepRates
 
     double courant = 0;     ///< largest sum |u_j|/dx_j over points: Courant number per unit of time [1/s]
     double meanCourant = 0; ///< its mean
+
+    /// A measure of the velocity, on any scale, where its Courant number is not known: a growth of it tells a
+    /// divergence.
+    double magnitude = 0;
 };
 
 /// Whether a step of dt is taken with the viscous term implicit: it yields, and dt is beyond what all terms bear.

@@ -35,6 +35,10 @@ TEST(StepGuard, EndsARunWhoseStepsShrinkForEver)
     // A step that is short for the sake of output is no sign of anything.
     EXPECT_FALSE(guard.divergence(ratesOf(10), 1e-9, control));
 
+    // Nor is a step far below a limit that has not moved so far.
+    EXPECT_FALSE(guard.divergence(ratesOf(1e4), 5e-6, control));
+
+    EXPECT_TRUE(guard.divergence(ratesOf(5e4), 5e-6, control)) << "steps kept to a seventh of the limit, by maxCo";
     const auto diverged = guard.divergence(ratesOf(2e5), 5e-6, control);
     ASSERT_TRUE(diverged);
     EXPECT_NE(std::string(diverged->what()).find("speeds have grown"), std::string::npos);
@@ -58,14 +62,17 @@ TEST(StepGuard, EndsAFlowWithoutConvectionThatGrowsInStepsAboveTheLimit)
     TimeSettings settings;
     settings.endTime = 1000;
     const TimeControl control(settings, TimeState{});
-    const auto rates = [](double courant)
+    for (const auto& [dt, member] : {std::pair{0.2, &StepRates::courant},
+                                     {0.3, &StepRates::courant},
+                                     {0.2, &StepRates::magnitude},
+                                     {0.3, &StepRates::magnitude}})
     {
-        StepRates result = ratesOf(0, 10);
-        result.courant = courant;
-        return result;
-    };
-    for (const double dt : {0.2, 0.3})
-    {
+        const auto rates = [member](double size)
+        {
+            StepRates result = ratesOf(0, 10);
+            result.*member = size;
+            return result;
+        };
         StepGuard guard(log, *scheme("RK3"), 100);
         guard.judge(rates(0), dt); // at rest
         guard.judge(rates(1e-6), dt);
