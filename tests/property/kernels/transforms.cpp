@@ -1,6 +1,7 @@
 #include "kernels/Gaussian.hpp"
 #include "kernels/QuinticSpline.hpp"
 #include "support/quadrature.hpp"
+#include "support/record.hpp"
 
 #include <array>
 #include <gtest/gtest.h>
@@ -18,6 +19,7 @@ constexpr std::array<double, 7> wavenumbers{0, 0.1, 0.7, 2, 5, 9, 14}; // times 
 
 TEST(GaussianTransform, IsTheClosedSymbolInAnyDimension)
 {
+    test::Bounds bounds;
     for (const int n : halfOrders)
     {
         const Gaussian kernel(2 * n);
@@ -28,7 +30,7 @@ TEST(GaussianTransform, IsTheClosedSymbolInAnyDimension)
                 const double transform =
                     radialIntegral(d, [&](double q) { return kernel.w(q, d) * meanWave(d, k * q); });
                 // Round-off of a sum whose terms add up, in magnitude, to a few times its value of at most 1.
-                EXPECT_NEAR(transform, kernel.symbol(k * k / 4), 1e-13)
+                EXPECT_TRUE(bounds.near(transform, kernel.symbol(k * k / 4), 1e-13))
                     << "order " << 2 * n << ", d " << d << ", k " << k;
             }
         }
@@ -37,6 +39,7 @@ TEST(GaussianTransform, IsTheClosedSymbolInAnyDimension)
 
 TEST(GaussianTransform, OfTheMorrisWeightIsTheClosedMorrisSymbol)
 {
+    test::Bounds bounds;
     // Morris: 2 integral of f (1 - mean wave) is the Laplacian's symbol, -k^2 morrisSymbol.
     for (const int n : halfOrders)
     {
@@ -48,7 +51,7 @@ TEST(GaussianTransform, OfTheMorrisWeightIsTheClosedMorrisSymbol)
                 const double laplacian =
                     radialIntegral(d, [&](double q) { return 2 * kernel.f(q, d) * (1 - meanWave(d, k * q)); });
                 // The terms are as large as the saturated symbol -4n: round-off of that, as above.
-                EXPECT_NEAR(laplacian, -k * k * kernel.morrisSymbol(k * k / 4), 1e-13 * 4 * n)
+                EXPECT_TRUE(bounds.near(laplacian, -k * k * kernel.morrisSymbol(k * k / 4), 1e-13 * 4 * n))
                     << "order " << 2 * n << ", d " << d << ", k " << k;
             }
         }
@@ -119,6 +122,7 @@ TEST(KernelMoments, OfTheQuinticSplineAreThoseOfASecondOrderKernel)
 
 TEST(KernelMoments, TellTheMisprintedTenthOrderPolynomialFromTheRightOne)
 {
+    test::Bounds bounds;
     // Lin et al. 2026, eq. 14, with alpha = 1/(2 pi h^2) for a unit integral.
     const auto printed = [](double q)
     {
@@ -130,10 +134,10 @@ TEST(KernelMoments, TellTheMisprintedTenthOrderPolynomialFromTheRightOne)
     { return radialIntegral(2, [&](double q) { return w(q) * std::pow(q, power); }); };
 
     // Round-off of quadratures whose terms add up to less than 100 in magnitude.
-    EXPECT_NEAR(moment(printed, 0), 1, 1e-13);
-    EXPECT_NEAR(moment(printed, 2), 3, 1e-13) << "the printed kernel is of second order";
-    EXPECT_NEAR(moment(right, 0), 1, 1e-13);
-    for (const int power : {2, 4, 6, 8}) { EXPECT_NEAR(moment(right, power), 0, 1e-12) << power; }
+    EXPECT_TRUE(bounds.near(moment(printed, 0), 1, 1e-13));
+    EXPECT_TRUE(bounds.near(moment(printed, 2), 3, 1e-13)) << "the printed kernel is of second order";
+    EXPECT_TRUE(bounds.near(moment(right, 0), 1, 1e-13));
+    for (const int power : {2, 4, 6, 8}) { EXPECT_TRUE(bounds.near(moment(right, power), 0, 1e-12)) << power; }
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "support/fields.hpp"
 #include "support/kernels.hpp"
 #include "support/periodicBox.hpp"
+#include "support/record.hpp"
 
 #include <algorithm>
 #include <array>
@@ -84,6 +85,7 @@ double dot(const RealField& a, const RealField& b)
 
 TEST(Operators, ConvolutionIsTheSumOverNeighbours)
 {
+    test::Bounds bounds;
     for (const Lattice& lattice : lattices())
     {
         const int dimensions = lattice.dimensions();
@@ -101,7 +103,7 @@ TEST(Operators, ConvolutionIsTheSumOverNeighbours)
                     const auto agree = [&](RealField& a, RealField& b)
                     {
                         // Round-off of a sum of up to 1000 neighbours and of a transform.
-                        EXPECT_LE(largestDifference(a, b), 1e-13 * largest(a));
+                        EXPECT_TRUE(bounds.atMost(largestDifference(a, b), 1e-13 * largest(a)));
                         EXPECT_GT(largest(a), 0);
                     };
                     RealField a(dimensions, lattice.points());
@@ -167,6 +169,7 @@ TEST(Operators, SumsOverNeighboursHaveTheSameBitsForAnyNumberOfThreads)
 
 TEST(Operators, PlusMinusAndPlainGradientsAgree)
 {
+    test::Bounds bounds;
     // sum (f_b + f_a) W', sum (f_b - f_a) W' and sum f_b W' differ by f_a times the sum of the weights, which is zero.
     for (const Lattice& lattice : lattices())
     {
@@ -183,7 +186,7 @@ TEST(Operators, PlusMinusAndPlainGradientsAgree)
                     sum += weight;
                     magnitude += std::abs(weight);
                 }
-                EXPECT_LE(std::abs(sum), 1e-14 * magnitude); // round-off of the sum
+                EXPECT_TRUE(bounds.atMost(std::abs(sum), 1e-14 * magnitude)); // round-off of the sum
             }
         }
     }

@@ -1,5 +1,7 @@
 // Manufactured solutions: order 2 of the plain solve, order 4 with the source known at the walls of a channel.
 
+#include "support/record.hpp"
+
 #include "allocations.hpp"
 #include "boundedBox.hpp"
 
@@ -100,6 +102,7 @@ std::pair<double, double> boxErrors(std::vector<BoxAxis> axes, const Exact& exac
 
 TEST(BoundedPoissonConvergence, isSecondOrderAndFourthWithTheSourceAtTheWalls)
 {
+    Bounds bounds;
     // Also without a wave along the channel: there the conditions in y are all there is.
     for (const int m : {0, 1, 3})
     {
@@ -111,11 +114,11 @@ TEST(BoundedPoissonConvergence, isSecondOrderAndFourthWithTheSourceAtTheWalls)
                 const ChannelProblem problem{m};
                 const double coarse = channelError(problem, ends, staggered, 64, false);
                 const double fine = channelError(problem, ends, staggered, 128, false);
-                EXPECT_NEAR(order(coarse, fine), 2, 0.25);
+                EXPECT_TRUE(bounds.near(order(coarse, fine), 2, 0.25));
                 const double closedCoarse = channelError(problem, ends, staggered, 64, true);
                 const double closedFine = channelError(problem, ends, staggered, 128, true);
-                EXPECT_GT(order(closedCoarse, closedFine), 3.85);
-                EXPECT_LT(closedFine, 1e-2 * fine);
+                EXPECT_TRUE(bounds.atLeast(order(closedCoarse, closedFine), 3.85));
+                EXPECT_TRUE(bounds.atMost(closedFine, 1e-2 * fine));
             }
         }
     }
@@ -123,6 +126,7 @@ TEST(BoundedPoissonConvergence, isSecondOrderAndFourthWithTheSourceAtTheWalls)
 
 TEST(BoundedPoissonConvergence, neumannProblemFallsAsMeasuredElsewhere)
 {
+    Bounds bounds;
     // One dimension, L2 at 16 ... 256 intervals: order 2 plain, 4 with the slopes of the source.
     const ChannelProblem problem{0};
     double plain = 0;
@@ -133,14 +137,14 @@ TEST(BoundedPoissonConvergence, neumannProblemFallsAsMeasuredElsewhere)
         const double nextClosed = channelError(problem, neumannEnds, false, n, true);
         if (n > 16)
         {
-            EXPECT_NEAR(order(plain, nextPlain), 2, 0.1) << n;
-            EXPECT_NEAR(order(closed, nextClosed), 4, 0.1) << n;
+            EXPECT_TRUE(bounds.near(order(plain, nextPlain), 2, 0.1)) << n;
+            EXPECT_TRUE(bounds.near(order(closed, nextClosed), 4, 0.1)) << n;
         }
         plain = nextPlain;
         closed = nextClosed;
     }
-    EXPECT_LT(plain, 1e-4);
-    EXPECT_LT(closed, 1e-9);
+    EXPECT_TRUE(bounds.atMost(plain, 1e-4));
+    EXPECT_TRUE(bounds.atMost(closed, 1e-9));
 }
 
 TEST(BoundedPoissonConvergence, closureKeepsItsDigitsInLongAndThinChannels)
