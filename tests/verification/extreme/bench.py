@@ -107,7 +107,8 @@ class Scene(Case):
     """A flow in a box from dictionaries alone: axes periodic ("p") or between walls ("w"), two or three of them."""
 
     def __init__(self, *, axes="pp", extent=None, intervals=None, arrangement=None, nu=0.01, start=None, walls=None,
-                 pressures=None, force=None, schemes="", kernel="type gaussian;", solver="fft", solution="", deltaT="auto", endTime=1.0,
+                 pressures=None, force=None, schemes="", kernel="type gaussian;", solver="fft", solution="",
+                 deltaT="auto", endTime=1.0,
                  control="", exact=None, statistics=False, every=None, writeInterval="endTime", inlets=()):
         self.dir = os.path.join(tempfile.mkdtemp(prefix="continua-"), "scene")
         names = "xyz"[:len(axes)]

@@ -34,12 +34,13 @@ def periodicJumps(bench, nu):
     run = scene.solve()
     K, Z = run.column("flow", "kineticEnergy"), run.column("flow", "enstrophy")
     bench.at_most("growth of the energy in a step", max(0.0, growth(K)), 1e-9)
-    bench.at_most("enstrophy over its start", max(Z) / Z[0], 1)
+    bench.at_most("enstrophy over its start", max(Z[1:]) / Z[0], 1)
     bench.note(f"at the end K {short(K[-1] / K[0])}, Z {short(Z[-1] / Z[0])}")
 
 
 def noise(bench, axes, nu):
-    scene = bench.scene(axes=axes, intervals=(32, 32), nu=nu, start=("noise(1)", "noise(2)"), endTime=1.0, statistics=True,
+    scene = bench.scene(axes=axes, intervals=(32, 32), nu=nu, start=("noise(1)", "noise(2)"), endTime=1.0,
+                        statistics=True,
                         every=1, schemes="filter { type exponential; }" if nu < 1e-3 else "")
     run = scene.solve()
     K = run.column("flow", "kineticEnergy")
@@ -51,7 +52,8 @@ def couette(bench, intervals, bounds):
     """The upper wall starts at once: the series solution."""
     series = "y + 2/pi*sum(n, 1, 64, (-1)^n/n*exp(-(n*pi)^2*nu*t)*sin(n*pi*y))"
     for time, bound in bounds:
-        scene = bench.scene(axes="pw", intervals=(8, intervals), nu=1.0, start=("y >= 1 ? 1 : 0",), exact=(series,), endTime=time,
+        scene = bench.scene(axes="pw", intervals=(8, intervals), nu=1.0, start=("y >= 1 ? 1 : 0",), exact=(series,),
+                            endTime=time,
                             walls={"yMax": "type fixedValue; value uniform (1 0 0);"}, schemes="viscous explicit;")
         bench.at_most(f"nu t = {time:g}", scene.solve().error(), bound)
 
@@ -76,10 +78,12 @@ for number, dealiasing in enumerate(("none", "twoThirds"), 1):
 for number, nu in enumerate((1e-2, 1e-6), 1):
     row(f"J1{number}", "jumps across both axes, periodic, `deltaT auto`", f"48², nu {nu:g}, filter",
         "energy falls in every step, enstrophy stays below its start")(lambda bench, nu=nu: periodicJumps(bench, nu))
-for number, (axes, nu) in enumerate((("pp", 1e-3), ("pp", 1e-6), ("pw", 1e-2), ("pw", 1e-6), ("ww", 1e-2), ("ww", 1e-6)), 1):
+for number, (axes, nu) in enumerate((("pp", 1e-3), ("pp", 1e-6), ("pw", 1e-2), ("pw", 1e-6), ("ww", 1e-2),
+                                     ("ww", 1e-6)), 1):
     where = {"pp": "periodic", "pw": "channel", "ww": "box"}[axes]
     row(f"J2{number}", f"white noise, {where}, `deltaT auto`", f"32², nu {nu:g}", "energy falls in every step")(
         lambda bench, a=axes, nu=nu: noise(bench, a, nu))
-row("J31", "Couette flow whose wall starts at once", "80 intervals, nu t = 0.01, 0.1", "within 5e-7, 5e-9 of the series")(
+row("J31", "Couette flow whose wall starts at once", "80 intervals, nu t = 0.01, 0.1",
+    "within 5e-7, 5e-9 of the series")(
     lambda bench: couette(bench, 80, ((0.01, 5e-7), (0.1, 5e-9))))
 row("J32", "half a channel moves at once", "40 and 80 intervals, nu t = 0.05", "second order, below dy²")(channelJump)

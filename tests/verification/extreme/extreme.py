@@ -18,7 +18,8 @@ import sys
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 import bench  # noqa: E402
 
-THEMES = ("reynolds", "kernels", "units", "shapes", "data", "timeSteps", "transients", "longRuns", "failures", "matrices", "references")
+THEMES = ("reynolds", "kernels", "units", "shapes", "data", "timeSteps", "transients", "longRuns", "failures",
+          "matrices", "references")
 
 
 def rows():
@@ -48,7 +49,8 @@ def main():
     parser.add_argument("-records", metavar="FILE", help="write the records as JSON")
     options = parser.parse_args()
     chosen = [entry for entry in rows()
-              if (not options.R or re.fullmatch(options.R, entry.id)) and (not options.theme or entry.theme in options.theme)
+              if (not options.R or re.fullmatch(options.R, entry.id)) and (not options.theme
+                                                                           or entry.theme in options.theme)
               and (entry.slow or not options.slow) and (not entry.slow or options.full or options.slow or options.R)]
     if options.list:
         for entry in chosen:

@@ -10,10 +10,12 @@ LAYER = ("y <= 0.5 ? tanh(80*(y - 0.25)) : tanh(80*(0.75 - y))", "0.05*sin(2*pi*
 
 def shearLayer(bench, kernel, schemes, Re, lost):
     """A thin shear layer on too few points: lost when the theory's table says, and cured from the last good state."""
-    scene = bench.scene(intervals=(64, 64), nu=1 / Re, start=LAYER, endTime=2.0, kernel=kernel, schemes=schemes, statistics=True,
+    scene = bench.scene(intervals=(64, 64), nu=1 / Re, start=LAYER, endTime=2.0, kernel=kernel, schemes=schemes,
+                        statistics=True,
                         every=1, writeInterval=20, control="maxCo 0.4;")
     run = scene.solve()
-    bench.holds("exit 3 with reason and cure", run.code == 3 and "diverged" in run.err and "dealiasing twoThirds" in run.err,
+    bench.holds("exit 3 with reason and cure", run.code == 3 and "diverged" in run.err
+                and "dealiasing twoThirds" in run.err,
                 f"exit {run.code}, {run.err.strip()}")
     if run.code != 3:
         return
@@ -30,27 +32,32 @@ def shearLayer(bench, kernel, schemes, Re, lost):
     again = Outcome(scene, scene.run("isphFoam"))
     bench.holds(f"with the cure it goes on from {before}", again.code == 0, again.err.strip())
     if again.code == 0:
-        bench.at_most("energy at the end over its start", [float(e["kineticEnergy"]) for e in scene.table("flow")][-1] / K[0], 1)
+        bench.at_most("energy at the end over its start", [float(e["kineticEnergy"])
+                                                           for e in scene.table("flow")][-1] / K[0], 1)
 
 
 def polynomials(bench):
     """`preset paper2026` in a cavity on 24 intervals: its viscous term grows; checkCase says so, the solver stops."""
-    scene = bench.scene(axes="ww", intervals=(24, 24), nu=0.01, schemes="preset paper2026;", kernel="type gaussian; order 4;",
+    scene = bench.scene(axes="ww", intervals=(24, 24), nu=0.01, schemes="preset paper2026;",
+                        kernel="type gaussian; order 4;",
                         walls={"yMax": "type fixedValue; value uniform (1 0 0);"}, endTime=50.0)
     scene.run("makeLattice")
     checked = scene.run("checkCase")
     bench.holds("checkCase warns of growing modes", "anti-diffusive" in checked.stdout + checked.stderr)
     run = scene.solve()
-    bench.holds("exit 3 with reason and cure", run.code == 3 and "diverged" in run.err and "another continuation" in run.err,
+    bench.holds("exit 3 with reason and cure", run.code == 3 and "diverged" in run.err
+                and "another continuation" in run.err,
                 f"exit {run.code}, {run.err.strip()}")
 
 
 SLIPS = (
     ("order 65", dict(kernel="type gaussian; order 65;"), r"system/schemes:\d+: kernel.order", "even"),
     ("order 0", dict(kernel="type gaussian; order 0;"), r"system/schemes:\d+: kernel.order", "even"),
-    ("h/dx 0", dict(kernel="type gaussian; smoothingLength 0;"), r"system/schemes:\d+: kernel.smoothingLength", "positive"),
+    ("h/dx 0", dict(kernel="type gaussian; smoothingLength 0;"), r"system/schemes:\d+: kernel.smoothingLength",
+     "positive"),
     ("h/dx -1", dict(kernel="type gaussian; smoothingLength -1;"), r"system/schemes:\d+: kernel.smoothingLength", ""),
-    ("one length for all axes", dict(kernel="type gaussian; h 0.01;"), r"system/schemes:\d+: kernel.h", "smoothingLength"),
+    ("one length for all axes", dict(kernel="type gaussian; h 0.01;"), r"system/schemes:\d+: kernel.h",
+     "smoothingLength"),
     ("nu -1", dict(nu=-1.0), r"constant/transportProperties:\d+: nu", ""),
     ("nu not a number", dict(nu=float("nan")), r"constant/transportProperties:\d+: nu", ""),
     ("extent 0 1", dict(extent=(0, 1)), r"system/latticeDict:\d+", ""),
@@ -59,7 +66,8 @@ SLIPS = (
     ("1e15 points and more", dict(intervals=(100000000, 100000000)), r"system/latticeDict:\d+", "fewer points"),
     ("a start of 1/0", dict(start=("1/(x - x)",)), r"0/U:\d+", ""),
     ("a start of 1e300 sin", dict(start=("1e300*sin(2*pi*y)", "1e300*sin(2*pi*x)")), "0/U|diverged|finite", ""),
-    ("an integrating factor between walls", dict(axes="pw", schemes="viscous integratingFactor;"), r"system/schemes:\d+", ""),
+    ("an integrating factor between walls", dict(axes="pw", schemes="viscous integratingFactor;"),
+     r"system/schemes:\d+", ""),
     ("Crank-Nicolson in a periodic box", dict(schemes="viscous CrankNicolson;"), r"system/schemes:\d+", ""),
     ("a wall that blows into a closed box", dict(axes="ww", walls={"xMin": "type fixedValue; value uniform (1 0 0);"}),
      r"0/U", "volume|flow"),
@@ -73,7 +81,8 @@ def slips(bench):
         run = scene.solve()
         if what == "a start of 1e300 sin":
             # The square of a speed is beyond numbers: not a slip of the dictionary, but no result either.
-            bench.holds(f"{what}: exit {run.code}, said so", run.code in (1, 3) and re.search(place, run.err), run.err.strip())
+            bench.holds(f"{what}: exit {run.code}, said so", run.code in (1, 3) and re.search(place, run.err),
+                        run.err.strip())
         else:
             refused(bench, what, run, place, cure)
 
@@ -103,6 +112,8 @@ for number, (kernel, schemes, Re, lost) in enumerate((
     row(f"B{number}", "thin shear layer, schemes that the theory warns of", f"{kernel} {schemes} Re {Re:g}, 64²",
         f"lost at t = {lost:g} within 25 %, exit 3, last state whole, cured by what the message says")(
         lambda bench, k=kernel, s=schemes, Re=Re, t=lost: shearLayer(bench, k, s, Re, t))
-row("B11", "lid-driven cavity, `preset paper2026`", "24², where its viscous term grows", "warned, exit 3 with cure")(polynomials)
+row("B11", "lid-driven cavity, `preset paper2026`", "24², where its viscous term grows",
+    "warned, exit 3 with cure")(polynomials)
 row("B12", f"{len(SLIPS)} slips", "one a dictionary", "exit 1 with place and cure")(slips)
-row("B13", "a lattice larger than the memory", "10¹² points; 2000² in 256 MiB", "exit 1, said so, nothing written")(memory)
+row("B13", "a lattice larger than the memory", "10¹² points; 2000² in 256 MiB",
+    "exit 1, said so, nothing written")(memory)

@@ -22,7 +22,8 @@ def decay(bench, width):
     for order in ORDERS:
         rate = nu * morris([2 * math.pi] * 2, [width / N] * 2, order)
         for viscous, growth in (("integratingFactor", math.exp(rate * end)),
-                                ("explicit", sum((rate * end / steps) ** m / math.factorial(m) for m in range(4)) ** steps)):
+                                ("explicit", sum((rate * end / steps) ** m / math.factorial(m)
+                                                 for m in range(4)) ** steps)):
             scene = bench.scene(nu=nu, start=VORTEX, exact=[f"{u}*{growth!r}" for u in VORTEX], deltaT=end / steps,
                                 endTime=end, kernel=kernel(order, width), schemes=f"viscous {viscous};")
             worst = max(worst, scene.solve().error("relL2(U)"))
@@ -37,7 +38,7 @@ def manyWaves(bench, width):
         run = scene.solve()
         K, Z = run.column("flow", "kineticEnergy"), run.column("flow", "enstrophy")
         largest = max(largest, growth(K))
-        enstrophy = max(enstrophy, max(Z) / Z[0])
+        enstrophy = max(enstrophy, max(Z[1:]) / Z[0])
     bench.at_most("growth of the energy in a step", largest, 1e-6)
     bench.at_most("enstrophy over its start", enstrophy, 1)
 
@@ -54,7 +55,8 @@ def channel(bench, width):
     worst, unstable = 0.0, []
     for order in ORDERS:
         rate = nu * second([math.pi], [width / N], order)
-        scene = bench.scene(axes="pw", intervals=(8, N), nu=nu, start=["sin(pi*y)"], exact=[f"sin(pi*y)*exp({rate!r}*t)"],
+        scene = bench.scene(axes="pw", intervals=(8, N), nu=nu, start=["sin(pi*y)"],
+                            exact=[f"sin(pi*y)*exp({rate!r}*t)"],
                             endTime=end, kernel=kernel(order, width))
         if warned(scene):
             unstable.append(str(order))
@@ -71,7 +73,8 @@ def channel(bench, width):
 def channelNoise(bench, width):
     largest, grew = 0.0, []
     for order in ORDERS:
-        scene = bench.scene(axes="pw", intervals=(16, N), nu=0.01, start=("1e-3*noise(1)", "1e-3*noise(2)"), statistics=True,
+        scene = bench.scene(axes="pw", intervals=(16, N), nu=0.01, start=("1e-3*noise(1)", "1e-3*noise(2)"),
+                            statistics=True,
                             every=1, kernel=kernel(order, width), schemes="viscous explicit;")
         said = warned(scene)
         step = min(0.02, 0.8 * scene.limits()["largestStableStep"])
@@ -97,7 +100,8 @@ def wideSamples(bench):
                                 exact=[f"{u}*{math.exp(rate * end)!r}" for u in VORTEX],
                                 kernel=kernel(order, 3.3, "sampled") + " supportRadius 7.5;")
             # The first-moment defect of the samples is 1e-10 there, by truncation and by aliasing each.
-            bench.at_most(f"order {order}, {points}²", scene.solve().error("relL2(U)"), 8 * math.pi**2 * nu * end * 2e-10 + 1e-12)
+            bench.at_most(f"order {order}, {points}²", scene.solve().error("relL2(U)"),
+                          8 * math.pi**2 * nu * end * 2e-10 + 1e-12)
 
 
 for number, width in enumerate(WIDTHS, 1):
@@ -106,8 +110,9 @@ for number, width in enumerate(WIDTHS, 1):
         "integrating factor and explicit")(lambda bench, width=width: decay(bench, width))
     row(f"H1{number}", "vortex and noise, periodic", f"{where}, nu 1e-3, `deltaT auto`",
         "energy and enstrophy do not grow")(lambda bench, width=width: manyWaves(bench, width))
-    row(f"H2{number}", "decaying mode in a channel", f"{where}, 32 intervals", "decays by the kernel's factor; at walls "
-        "off by no more than the kernel's own error again and (pi dy)^3.5")(lambda bench, width=width: channel(bench, width))
+    row(f"H2{number}", "decaying mode in a channel", f"{where}, 32 intervals",
+        "decays by the kernel's factor; at walls off by no more than the kernel's own error again and (pi dy)^3.5")(
+            lambda bench, width=width: channel(bench, width))
     row(f"H3{number}", "noise in a channel", f"{where}, nu 0.01, explicit",
         "checkCase warns of kernels too wide for walls; with the others energy falls in every step")(
             lambda bench, width=width: channelNoise(bench, width))

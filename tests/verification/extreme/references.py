@@ -114,23 +114,29 @@ def firstOrder(bench):
         errors.append((float(last["L2(U)"]), float(last["L2(p)"])))
     for what, index in (("velocity", 0), ("pressure", 1)):
         for coarse, fine in zip(errors, errors[1:]):
-            bench.at_most(f"{what}: half the step, error over half of it, off by", abs(2 * fine[index] / coarse[index] - 1), 0.1)
+            bench.at_most(f"{what}: half the step, error over half of it, off by",
+                          abs(2 * fine[index] / coarse[index] - 1), 0.1)
 
 
-row("W8", "first order projection between walls", "manufactured channel, N = 48, dt = 4e-3, 2e-3, 1e-3", "order 1.0", slow=True)(
+row("W8", "first order projection between walls", "manufactured channel, N = 48, dt = 4e-3, 2e-3, 1e-3", "order 1.0",
+    slow=True)(
     firstOrder)
-row("W13", "cavity Re 100, defaults", "N = 48", "extrema to 1 %", slow=True)(lambda bench: extrema(bench, 100, 48, 20, 0.01))
+row("W13", "cavity Re 100, defaults", "N = 48", "extrema to 1 %", slow=True)(lambda bench: extrema(bench, 100, 48, 20,
+                                                                                                   0.01))
 row("W13b", "cavity Re 100, degree 3", "N = 48", "extrema to 0.5 %", slow=True)(
     lambda bench: extrema(bench, 100, 48, 20, 0.005, continuation__degree="3"))
 row("W13c", "cavity Re 100, gaussian 4", "N = 48, h/dx 1.3", "extrema to 1 %", slow=True)(
     lambda bench: extrema(bench, 100, 48, 20, 0.01, **WIDE))
 row("W13d", "cavity Re 400", "N = 48", "profiles to 1.5 % of the lid's speed", slow=True)(
     lambda bench: profiles(bench, 400, 48, 40, 0.015))
-row("W13e", "cavity Re 1000", "N = 64", "extrema to 1.7 %", slow=True)(lambda bench: extrema(bench, 1000, 64, 60, 0.017))
-row("W14", "cavity Re 1000", "N = 128", "extrema to 0.7 %", slow=True)(lambda bench: extrema(bench, 1000, 128, 60, 0.007))
+row("W13e", "cavity Re 1000", "N = 64", "extrema to 1.7 %", slow=True)(lambda bench: extrema(bench, 1000, 64, 60,
+                                                                                             0.017))
+row("W14", "cavity Re 1000", "N = 128", "extrema to 0.7 %", slow=True)(lambda bench: extrema(bench, 1000, 128, 60,
+                                                                                             0.007))
 row("W15", "dipole at the start", "N = 96", "E = 2, Z = 800 to 1e-5", slow=True)(dipoleStart)
 row("W16", "dipole Re 100 at a wall", "N = 96", "E, Z at t = 0.5, 1 of the reference", slow=True)(dipole100)
 row("W17", "dipole Re 625 at a wall", "N = 256", "E, Z at t = 0.25, 0.5, the first peak", slow=True)(dipole625)
 row("W18", "dipole Re 625 at a wall", "N = 400", "the first peak to 4 %", slow=True)(dipoleFine)
-row("W20", "two vortices in a channel", "N = 80", "energy of the projected start 0.1406 ± 0.0002, mirror symmetry", slow=True)(
+row("W20", "two vortices in a channel", "N = 80", "energy of the projected start 0.1406 ± 0.0002, mirror symmetry",
+    slow=True)(
     twoVortices)

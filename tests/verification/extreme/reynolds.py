@@ -26,7 +26,7 @@ def manyWaves(bench, Re):
     run = scene.solve()
     for what, name in (("energy", "kineticEnergy"), ("enstrophy", "enstrophy")):
         values = run.column("flow", name)
-        bench.at_most(f"{what} over its start, largest", max(values) / values[0], 1 + 1e-9)
+        bench.at_most(f"{what} over its start, largest", max(values[1:]) / values[0], 1)
         bench.note(f"at the end {short(values[-1] / values[0])}")
 
 
@@ -47,19 +47,22 @@ def channelMode(bench, Re):
 
 
 def stokesCavity(bench, Re):
-    scene = bench.scene(axes="ww", intervals=(24, 24), nu=1 / Re, walls={"yMax": "type fixedValue; value uniform (1 0 0);"},
+    scene = bench.scene(axes="ww", intervals=(24, 24), nu=1 / Re,
+                        walls={"yMax": "type fixedValue; value uniform (1 0 0);"},
                         endTime=0.3 * Re, statistics=True, every=10)
     run = scene.solve()
     n = 25
     U = scene.field()
     asymmetry = max(max(abs(U[3 * (n * j + i)] - U[3 * (n * j + n - 1 - i)]),
-                        abs(U[3 * (n * j + i) + 1] + U[3 * (n * j + n - 1 - i) + 1])) for j in range(n) for i in range(n))
+                        abs(U[3 * (n * j + i) + 1] + U[3 * (n * j + n - 1 - i) + 1])) for j in range(n)
+                        for i in range(n))
     bench.at_most("asymmetry", asymmetry, 0.05 * Re)
     bench.at_most("largest speed over the lid's", max(run.column("flow", "maxSpeed")), 1 + 1e-9)
 
 
 def cavity(bench, Re, schemes=""):
-    scene = bench.scene(axes="ww", intervals=(32, 32), nu=1 / Re, walls={"yMax": "type fixedValue; value uniform (1 0 0);"},
+    scene = bench.scene(axes="ww", intervals=(32, 32), nu=1 / Re,
+                        walls={"yMax": "type fixedValue; value uniform (1 0 0);"},
                         schemes=schemes,
                         endTime=min(10.0, Re), statistics=True, every=10)
     run = scene.solve()
@@ -76,7 +79,8 @@ for number, Re in enumerate(NUMBERS, 1):
     row(f"R1{number}", "five waves, periodic, `deltaT auto`", f"Re {Re:g}, 32², t = 2",
         "energy and enstrophy never grow")(lambda bench, Re=Re: manyWaves(bench, Re))
     row(f"R2{number}", "decaying mode in a channel", f"Re {Re:g}, 32 intervals",
-        "error below that of its eigenvalue, 1e-6, of the second derivative at walls and of the time scheme")(lambda bench, Re=Re: channelMode(bench, Re))
+        "error below that of its eigenvalue, 1e-6, of the second derivative at walls and of the time scheme")(
+            lambda bench, Re=Re: channelMode(bench, Re))
     if Re < 1:
         row(f"R3{number}", "lid-driven cavity", f"Re {Re:g}, 24², `deltaT auto`, t = 0.3 Re: steady",
             "mirror symmetry but for 0.05 Re; no speed above the lid's")(lambda bench, Re=Re: stokesCavity(bench, Re))

@@ -27,8 +27,9 @@ def stretchedNoise(bench, extent, counts):
     run = scene.solve()
     K, Z = run.column("flow", "kineticEnergy"), run.column("flow", "enstrophy")
     bench.at_most("growth of the energy in a step", max(0.0, growth(K)), 1e-6)
-    bench.at_most("enstrophy over its start", max(Z) / Z[0], 1)
-    bench.at_most("divergence over the largest velocity gradient", max(run.column("flow", "divLinf")) * min(L / n for L, n in zip(extent, counts))
+    bench.at_most("enstrophy over its start", max(Z[1:]) / Z[0], 1)
+    bench.at_most("divergence over the largest velocity gradient", max(run.column("flow", "divLinf")) * min(L / n for L,
+        n in zip(extent, counts))
                   / max(run.column("flow", "maxSpeed")), 1e-12)
 
 
@@ -44,7 +45,8 @@ def thinBox(bench, length, width):
     """A cell in a box with walls all round, its inertia and the friction between the long walls of a size."""
     x, y = f"(pi*x/{length!r})", f"(pi*y/{width!r})"
     nu = width**2 / length
-    scene = bench.scene(axes="ww", extent=(length, width), intervals=(24, 24), nu=nu, endTime=0.1 * length, statistics=True, every=1,
+    scene = bench.scene(axes="ww", extent=(length, width), intervals=(24, 24), nu=nu, endTime=0.1 * length,
+                        statistics=True, every=1,
                         start=(f"sin{x}^2*sin(2*{y})", f"-{width / length!r}*sin(2*{x})*sin{y}^2"))
     K = scene.solve().column("flow", "kineticEnergy")
     bench.at_most("growth of the energy in a step", max(0.0, growth(K)), 1e-9)
@@ -60,11 +62,13 @@ def onePoint(bench, counts, axes="pp"):
     shear = f"sin(2*pi*{along})"
     rate = nu * morris([2 * math.pi], [1.5 / n], 10)
     profile = (shear, "0") if along == "y" else ("0", shear)
-    scene = bench.scene(intervals=counts, nu=nu, start=profile, exact=[f"{u}*{math.exp(rate * end)!r}" for u in profile],
+    scene = bench.scene(intervals=counts, nu=nu, start=profile, exact=[f"{u}*{math.exp(rate * end)!r}"
+                                                                       for u in profile],
                         deltaT=0.02, endTime=end)
     bench.at_most("error, of the symbol's factor", scene.solve().error("relL2(U)"), 1e-12)
     # Across the shear, a uniform flow carries the profile along.
-    scene = bench.scene(intervals=counts, nu=nu, start=["1" if u == "0" else f"0.5 + {u}" for u in profile], deltaT=0.02,
+    scene = bench.scene(intervals=counts, nu=nu, start=["1" if u == "0" else f"0.5 + {u}" for u in profile],
+                        deltaT=0.02,
                         endTime=end, statistics=True, every=10)
     run = scene.solve()
     K = run.column("flow", "kineticEnergy")
@@ -88,10 +92,30 @@ def onePointChannel(bench, axes, counts):
     mode = f"sin(pi*{across})*exp(-nu*pi^2*t)"
     scene = bench.scene(axes=axes, intervals=counts, nu=0.01, start=component(mode), exact=component(mode), endTime=2.0)
     bench.at_most("decaying mode", scene.solve().error("relL2(U)"), 0.02 * math.pi**2 * (math.pi / n) ** 3.5)
-    noise = bench.scene(axes=axes, intervals=counts, nu=0.01, start=("noise(1)", "noise(2)"), endTime=1.0, statistics=True,
+    noise = bench.scene(axes=axes, intervals=counts, nu=0.01, start=("noise(1)", "noise(2)"), endTime=1.0,
+                        statistics=True,
                         every=1)
     K = noise.solve().column("flow", "kineticEnergy")
     bench.at_most("noise: growth of the energy in a step", max(0.0, growth(K)), 1e-9)
+
+
+def threeDimensions(bench):
+    """A wall-bounded column of points, and a stretched periodic box."""
+    parabola = ("4*z*(1 - z)",)
+    scene = bench.scene(axes="ppw", intervals=(1, 1, 32), nu=0.01, start=parabola, exact=parabola, force=("0.08",),
+                        endTime=5.0)
+    bench.at_most("column: Poiseuille's parabola after t = 5", scene.solve().error("Linf(U)"), 1e-9)
+    nu, end, extent, counts = 0.01, 1.0, (1000.0, 1.0, 30.0), (8, 16, 8)
+    rate = nu * morris([2 * math.pi], [1.5 / 16], 10)
+    shear = ("sin(2*pi*y)", "0", "0.5*cos(2*pi*y)")
+    scene = bench.scene(axes="ppp", extent=extent, intervals=counts, nu=nu, start=shear, deltaT=0.02, endTime=end,
+                        exact=[f"({u})*{math.exp(rate * end)!r}" for u in shear])
+    bench.at_most("box 1000 × 1 × 30: error, of the symbol's factor", scene.solve().error("relL2(U)"), 1e-11)
+    for axes in ("ppp", "pww", "www"):
+        scene = bench.scene(axes=axes, extent=(100.0, 1.0, 1.0), intervals=(8, 8, 8), nu=0.01, endTime=0.5,
+                            start=("noise(1)", "noise(2)", "noise(3)"), statistics=True, every=1)
+        K = scene.solve().column("flow", "kineticEnergy")
+        bench.at_most(f"noise, {axes}, 100 : 1 : 1: growth of the energy in a step", max(0.0, growth(K)), 1e-9)
 
 
 def tooFewPoints(bench):
@@ -129,7 +153,8 @@ for number, (length, width) in enumerate((LONG_BOX, (1.0, 1e-3), (1.0, 1000.0)),
         "error below that of the second derivative at walls")(lambda bench, a=length, b=width: thinChannel(bench, a, b))
 for number, (length, width) in enumerate((LONG_BOX, (1.0, 1e-3)), 1):
     row(f"S3{number}", "a cell with walls all round", f"{length:g} × {width:g}, 24², `deltaT auto`",
-        "energy falls in every step, by more than the slowest mode")(lambda bench, a=length, b=width: thinBox(bench, a, b))
+        "energy falls in every step, by more than the slowest mode")(lambda bench, a=length,
+                                                                     b=width: thinBox(bench, a, b))
 for number, counts in enumerate(((1, 32), (32, 1), (1, 31)), 1):
     row(f"S4{number}", "shear flow, periodic", f"{counts[0]} × {counts[1]} points", "the symbol's factor to round-off; "
         "energy does not grow in a stream")(lambda bench, c=counts: onePoint(bench, c))
@@ -138,7 +163,11 @@ for number, (axes, counts) in enumerate((("pw", (1, 32)), ("wp", (32, 1)), ("pw"
     size = " × ".join(map(str, counts))
     row(f"S5{number}", "channel one point long", f"{size} intervals, walls along {'x' if axes == 'pw' else 'y'}",
         "Poiseuille stays, a mode decays, noise dies")(lambda bench, a=axes, c=counts: onePointChannel(bench, a, c))
-row("S54", "few points between walls", "1 to 8 intervals", "refused with place and cure below five points; above, energy "
+row("S54", "few points between walls", "1 to 8 intervals",
+    "refused with place and cure below five points; above, energy "
     "does not grow")(tooFewPoints)
-row("X3", "one smoothing length for spacings of 1000 : 1", "in metres; two of them", "refused: h/dx is the same along every axis")(
+row("X3", "one smoothing length for spacings of 1000 : 1", "in metres; two of them",
+    "refused: h/dx is the same along every axis")(
     oneLength)
+row("S61", "three dimensions: a column of points between walls, long boxes", "1 × 1 × 32; 1000 : 1 : 30; 100 : 1 : 1",
+    "Poiseuille stays, the symbol's factor, energy falls")(threeDimensions)

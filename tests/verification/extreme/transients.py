@@ -11,7 +11,8 @@ LID = "type fixedValue; value uniform (1 0 0);"
 def uniformForce(bench, steps):
     """A force that is off until t = 0.1, and 1 from there: the mean velocity is known to a step's part of it."""
     end = 0.2
-    scene = bench.scene(intervals=(8, 8), start=("0",), force=(f"t >= {SWITCH} ? 1 : 0", "0.5"), deltaT=end / steps, endTime=end,
+    scene = bench.scene(intervals=(8, 8), start=("0",), force=(f"t >= {SWITCH} ? 1 : 0", "0.5"), deltaT=end / steps,
+                        endTime=end,
                         exact=(f"{end - SWITCH!r}", f"{0.5 * end!r}"), nu=0.01)
     error = scene.solve().error("Linf(U)")
     bench.at_most(f"{steps} steps: error", error, end / steps)
@@ -24,7 +25,8 @@ def kolmogorov(bench):
     for begin, steps, bound in ((0.0, 100, 1e-7), (0.1, 100, 0.01), (0.1, 1000, 0.001)):
         end = 1.0
         amplitude = (1 - math.exp(-rate * (end - begin))) / rate
-        scene = bench.scene(intervals=(8, 32), nu=nu, start=("0",), force=(f"t >= {begin + 0.5 * end / steps if begin else 0!r} ? sin(2*pi*y) : 0",),
+        scene = bench.scene(intervals=(8, 32), nu=nu, start=("0",),
+                            force=(f"t >= {begin + 0.5 * end / steps if begin else 0!r} ? sin(2*pi*y) : 0",),
                             exact=(f"{amplitude!r}*sin(2*pi*y)",), deltaT=end / steps, endTime=end)
         bench.at_most(f"begins at {begin:g}, dt {short(end / steps)}: error", scene.solve().error("L2(U)"), bound)
 
@@ -33,7 +35,8 @@ def poiseuille(bench, viscous):
     """The force starts a channel at rest at once: the series."""
     series = "4*y*(1 - y) - sum(k, 0, 24, 32/((2*k + 1)*pi)^3*sin((2*k + 1)*pi*y)*exp(-((2*k + 1)*pi)^2*nu*t))"
     for intervals, bound in ((20, 1.3e-6), (40, 4.6e-8), (80, 1.5e-9)):
-        scene = bench.scene(axes="pw", intervals=(8, intervals), nu=0.01, force=("0.08",), exact=(series,), endTime=11.0,
+        scene = bench.scene(axes="pw", intervals=(8, intervals), nu=0.01, force=("0.08",), exact=(series,),
+                            endTime=11.0,
                             schemes=f"viscous {viscous};", deltaT=11 / 8000 if intervals == 80 else 11 / 4000)
         bench.at_most(f"{intervals} intervals: error", scene.solve().error("L2(U)"), 1.1 * bound)
 
@@ -56,9 +59,10 @@ def stokesLayer(bench, intervals, nu):
     omega = 200 * math.pi
     layer = math.sqrt(2 * nu / omega)
     exact = f"exp(-y/{layer!r})*sin({omega!r}*t - y/{layer!r})"
-    # The far wall is many layers away.
-    scene = bench.scene(axes="pw", intervals=(1, intervals), nu=nu, start=(exact,), exact=(exact,), endTime=0.2, every=100,
-                        schemes="viscous explicit;", walls={"yMin": f'type fixedValue; value expression ("sin({omega!r}*t)" "0" "0");'})
+    # The far wall is many layers away; deltaT auto knows no periods.
+    scene = bench.scene(axes="pw", intervals=(1, intervals), nu=nu, start=(exact,), exact=(exact,), endTime=0.2, every=10,
+                        schemes="viscous explicit;", control="maxDeltaT 0.000125;",
+                        walls={"yMin": f'type fixedValue; value expression ("sin({omega!r}*t)" "0" "0");'})
     errors = scene.solve().column("errors", "Linf(U)")
     points = layer * intervals
     bench.note(f"{points:.1f} spacings in the layer")
@@ -68,7 +72,8 @@ def stokesLayer(bench, intervals, nu):
 
 def fastLid(bench, intervals, nu):
     """A lid too fast for the lattice to see its layer: bounded by the lid."""
-    scene = bench.scene(axes="ww", intervals=(intervals, intervals), nu=nu, endTime=1.0, statistics=True, every=1, control="maxDeltaT 0.0007;",
+    scene = bench.scene(axes="ww", intervals=(intervals, intervals), nu=nu, endTime=1.0, statistics=True, every=1,
+                        control="maxDeltaT 0.0007;",
                         walls={"yMax": 'type fixedValue; value expression ("sin(200*pi*t)" "0" "0");'})
     run = scene.solve()
     bench.at_most("largest speed over the lid's", max(run.column("flow", "maxSpeed")), 1 + 1e-9)
@@ -78,7 +83,8 @@ def fastLid(bench, intervals, nu):
 
 
 def lidCorners(bench, schemes, end, bound):
-    scene = bench.scene(axes="ww", intervals=(32, 32), nu=1e-4, endTime=end, statistics=True, every=10, walls={"yMax": LID}, schemes=schemes)
+    scene = bench.scene(axes="ww", intervals=(32, 32), nu=1e-4, endTime=end, statistics=True, every=10,
+                        walls={"yMax": LID}, schemes=schemes)
     run = scene.solve()
     if run.code == 3:
         bench.holds("caught: exit 3 with the reason", "diverged" in run.err, run.err)
@@ -87,22 +93,28 @@ def lidCorners(bench, schemes, end, bound):
     bench.at_most("energy over a quarter of the lid's", max(run.column("flow", "kineticEnergy")) / 0.125, 1)
 
 
-row("F1", "a uniform force switches on, periodic", "at t = 0.1, 10 and 1000 steps to t = 0.2", "velocity known to one step's "
+row("F1", "a uniform force switches on, periodic", "at t = 0.1, 10 and 1000 steps to t = 0.2",
+    "velocity known to one step's "
     "part of the force")(lambda bench: [uniformForce(bench, n) for n in (10, 1000)])
-row("F2", "a shear force switches on, periodic", "at once, or in the middle of a step", "exact to the time scheme, or to that "
+row("F2", "a shear force switches on, periodic", "at once, or in the middle of a step",
+    "exact to the time scheme, or to that "
     "step")(kolmogorov)
 for number, viscous in enumerate(("explicit", "CrankNicolson"), 1):
     row(f"F3{number}", "Poiseuille from rest, the force at once", f"{viscous}, N = 20, 40, 80, t = 11",
         "1.1 times 1.3e-6, 4.6e-8, 1.5e-9")(lambda bench, v=viscous: poiseuille(bench, v))
 for number, axes in enumerate(("pp", "pw", "ww"), 1):
-    row(f"F4{number}", f"pulses of a strong force, {dict(pp='periodic', pw='channel', ww='box')[axes]}", "ten in 0.05 s, speed up to 5",
+    row(f"F4{number}", f"pulses of a strong force, {dict(pp='periodic', pw='channel', ww='box')[axes]}",
+        "ten in 0.05 s, speed up to 5",
         "no more energy than the impulse has; it falls afterwards")(lambda bench, a=axes: onOff(bench, a))
 for number, (intervals, nu) in enumerate(((100, 0.01), (200, 0.1), (400, 0.1)), 1):
-    row(f"F5{number}", "a wall oscillates, channel", f"100 periods per convective time, {intervals} intervals, nu {nu:g}",
-        "Stokes' layer, to (dy/layer)^3.5; bounded by the wall where there is no layer to see")(lambda bench, n=intervals, nu=nu: stokesLayer(bench, n, nu))
+    row(f"F5{number}", "a wall oscillates, channel",
+        f"100 periods per convective time, {intervals} intervals, nu {nu:g}",
+        "Stokes' layer, to (dy/layer)^3.5; bounded by the wall where there is no layer to see")(
+            lambda bench, n=intervals, nu=nu: stokesLayer(bench, n, nu))
 for number, (intervals, nu) in enumerate(((32, 1e-2), (32, 1e-4)), 1):
     row(f"F6{number}", "a lid oscillates, cavity", f"100 periods per convective time, {intervals}², nu {nu:g}",
-        "nothing faster than the lid, energy in its layer alone")(lambda bench, n=intervals, nu=nu: fastLid(bench, n, nu))
+        "nothing faster than the lid, energy in its layer alone")(lambda bench, n=intervals,
+                                                                  nu=nu: fastLid(bench, n, nu))
 row("F71", "lid corners", "Re 1e4, 32², t = 20", "bounded")(lambda bench: lidCorners(bench, "", 20.0, 1.5))
 row("F72", "lid corners, degree 3, filter", "Re 1e4, 32², t = 20", "bounded by the lid's speed, 10 % over")(
     lambda bench: lidCorners(bench, "continuation { degree 3; } filter { type exponential; }", 20.0, 1.1))
