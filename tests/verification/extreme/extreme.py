@@ -13,10 +13,12 @@ import importlib
 import json
 import os
 import re
+import subprocess
 import sys
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 import bench  # noqa: E402
+from cases import ROOT  # noqa: E402
 
 THEMES = ("reynolds", "kernels", "units", "shapes", "data", "timeSteps", "transients", "longRuns", "failures",
           "matrices", "references")
@@ -39,6 +41,18 @@ def show(record):
     sys.stdout.flush()
 
 
+def commit():
+    """What the sources are at the time of a run, e.g. "1a2b3c4 and changes"."""
+    def said(*command):
+        try:
+            return subprocess.run(("git", *command), cwd=ROOT, capture_output=True, text=True, check=False).stdout.strip()
+        except OSError:
+            return ""
+
+    name = said("rev-parse", "--short", "HEAD") or "unknown"
+    return name + (" and changes" if said("status", "--porcelain", "--untracked-files=no") else "")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("-R", metavar="REGEX", help="rows whose identifier matches")
@@ -58,9 +72,9 @@ def main():
         return 0
     if not chosen:
         parser.error("no such row")
-    records = []
+    records, sources = [], commit()
     for entry in chosen:
-        records.append(bench.measure(entry, options.full or options.slow))
+        records.append({**bench.measure(entry, options.full or options.slow), "commit": sources})
         show(records[-1])
         if options.records:
             with open(options.records, "w", encoding="utf-8") as file:
