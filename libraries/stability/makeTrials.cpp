@@ -171,8 +171,12 @@ void Planner::addConvective()
         trial.prediction.modes = carriedModes(lattice(), spectra, passage->d, passage->sign * speed);
         takeLines(trial.prediction);
     }
-    // Along a periodic axis nothing is continued.
-    if (passage->kind == Passage::Kind::around) { trial.prediction.sharpness = 1; }
+    // Along a periodic axis nothing is continued: its modes are waves.
+    if (passage->kind == Passage::Kind::around)
+    {
+        trial.prediction.sharpness = Prediction().sharpness;
+        trial.prediction.doubt = Prediction().doubt;
+    }
     if (trial.prediction.modes.empty()) { trial.prediction.sharpness = onlySufficient; }
     plan_.trials.push_back(std::move(trial));
 }

@@ -73,6 +73,7 @@ class CheckStability(CaseTest):
         case = self.tutorial("doubleVortexChannel", "(32 16 0)")
         report = self.report(case)
         self.check_sharp(self.rows(report, "convective"))
+        self.assertEqual(self.rows(report, "convective")[1.03]["expected"], "unstable")
         self.check_sharp(self.rows(report, "viscous"), above=2)
         self.assertTrue(all(row["observed"] == "stable" for row in self.rows(report, "implicit viscous").values()))
         self.assertAlmostEqual(report["growthAtRest"], 1, delta=0.003)
