@@ -4,6 +4,7 @@
 #include "fields/reductions.hpp"
 #include "flow/convectiveRates.hpp"
 #include "flow/faceConditions.hpp"
+#include "flow/projectionRatio.hpp"
 #include "flow/stableNumbers.hpp"
 #include "operators/continuedBounds.hpp"
 #include "operators/lineSymbolOf.hpp"
@@ -409,12 +410,7 @@ std::vector<std::string> BoundedFlow::cautions() const
             "viscous CrankNicolson) end in another flow there: 20 % off in a cavity. Write walls consistent; viscous "
             "explicit;");
     }
-    if ((iterated_ || mirrored_) && settings_.continuation != "mirror")
-    {
-        cautions.emplace_back("the matrix of the pressure mirrors its neighbours at walls, but the continuation does "
-                              "not: most flows grow "
-                              "without limit. Write continuation { type mirror; } in system/schemes");
-    }
+    if (auto caution = mirrorCaution(lattice_, settings_); !caution.empty()) { cautions.push_back(std::move(caution)); }
     return cautions;
 }
 

@@ -82,4 +82,13 @@ double largestProjectionRatio(const Lattice& lattice, const FlowSettings& settin
     return largest;
 }
 
+std::string mirrorCaution(const Lattice& lattice, const FlowSettings& settings)
+{
+    const bool mirrors = !lattice.periodic() && settings.eigenvalues == Eigenvalues::morris && !settings.directPressure;
+    if (!mirrors || settings.continuation == "mirror") { return {}; }
+    return "the Laplacian of the pressure mirrors its neighbours at walls, but the continuation does not: most flows "
+           "grow "
+           "without limit. Write continuation { type mirror; } in system/schemes";
+}
+
 } // namespace isph

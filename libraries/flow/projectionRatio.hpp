@@ -3,6 +3,8 @@
 #include "flow/FlowSettings.hpp"
 #include "lattice/Lattice.hpp"
 
+#include <string>
+
 namespace isph
 {
 
@@ -13,5 +15,8 @@ namespace isph
 /// high order need wide enough a smoothing length, or their samples lose the Laplacian of short waves: 4.7 for order 20
 /// at h/dx = 1.5 and a closed symbol, 1.0 at 2.
 double largestProjectionRatio(const Lattice& lattice, const FlowSettings& settings);
+
+/// What to say of a Laplacian that mirrors its neighbours at walls where gradients do not; empty where all is well.
+std::string mirrorCaution(const Lattice& lattice, const FlowSettings& settings);
 
 } // namespace isph

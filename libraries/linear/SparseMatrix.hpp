@@ -37,6 +37,8 @@ public:
     std::span<const double> values() const { return values_; }
 
 private:
+    void applyRows(std::size_t first, std::size_t count, std::span<const double> x, std::span<double> y) const;
+
     std::size_t columns_ = 0;
     AlignedVector<int> rowStarts_;
     AlignedVector<int> columnIndices_;

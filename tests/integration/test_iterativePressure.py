@@ -168,6 +168,8 @@ patches
         case.set("system/controlDict", "endTime", "0.01")
         result = self.succeeds(case, "isphFoam")
         self.assertIn("continuation { type mirror; }", result.stderr)
+        check = json.loads(self.succeeds(case, "checkCase", "-json").stdout)
+        self.assertTrue(any("continuation { type mirror; }" in warning for warning in check["warnings"]))
 
     @staticmethod
     def numbers(text):

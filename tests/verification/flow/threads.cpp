@@ -58,4 +58,13 @@ TEST(Threads, theAnswerDoesNotDependOnTheirNumber)
                                                  settings.directSum = true;
                                                  return settings;
                                              });
+    // To round-off again: the iteration is only cut off by its tolerance.
+    expectIndependentOfThreads<SpectralFlow>(
+        periodicBox({48, 40, 1}, {1, 1, 0}),
+        []
+        {
+            FlowSettings settings = recommendedSettings(sampledGaussian(4, 2, 4));
+            settings.iteration = {.solver = PressureSolver::cg, .krylov = {1e-12, 1000}};
+            return settings;
+        });
 }

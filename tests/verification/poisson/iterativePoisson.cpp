@@ -118,5 +118,41 @@ TEST_P(SameOperator, TransformsAndIterationsGiveTheSamePressure)
     }
 }
 
+/// Values at some ends, slopes at others: no null space, and points whose value is given.
+TEST(IterativePoisson, TakesAnyMixOfEnds)
+{
+    constexpr AxisEnds slopes{End::neumann, End::neumann};
+    constexpr AxisEnds outlet{End::neumann, End::dirichlet};
+    constexpr AxisEnds values{End::dirichlet, End::dirichlet};
+    const Box square{"square", {18, 21, 1}, {1, 1.2, 0}, {true, true, false}};
+    const Box cube{"cube", {11, 10, 12}, {1, 1, 1}, {true, true, true}};
+    struct Mix
+    {
+        Box box;
+        std::array<AxisEnds, 3> ends;
+    };
+    for (const Mix& mix : {Mix{square, {outlet, slopes, AxisEnds{}}}, Mix{square, {values, values, AxisEnds{}}},
+                           Mix{square, {slopes, values, AxisEnds{}}}, Mix{cube, {slopes, outlet, slopes}}})
+    {
+        for (const bool staggered : {false, true})
+        {
+            const Lattice lattice = latticeOf(mix.box, staggered);
+            const KernelSamples samples(lattice, kernelOf(true), LaplacianForm::morris);
+            const RealField source = test::noise(lattice, 1, 18);
+            const FaceNoise data(lattice, mix.box);
+            RealField byTransforms(1, lattice.points());
+            EXPECT_EQ(MirroredPoisson(lattice, samples, mix.ends).solve(source, data.walls, byTransforms), 0);
+            for (const PressureSolver solver : {PressureSolver::biCGStab, PressureSolver::cg})
+            {
+                IterativePoisson iteration(lattice, samples, mix.ends, {.solver = solver});
+                RealField phi(1, lattice.points());
+                EXPECT_EQ(iteration.solve(source, data.walls, phi), 0);
+                EXPECT_TRUE(iteration.result().converged);
+                EXPECT_LE(test::relativeL2(phi, byTransforms), 1e-8) << mix.box.name << staggered;
+            }
+        }
+    }
+}
+
 } // namespace
 } // namespace isph

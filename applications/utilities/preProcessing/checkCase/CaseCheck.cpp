@@ -2,6 +2,7 @@
 
 #include "continuation/LineSymbol.hpp"
 #include "flow/flowMemory.hpp"
+#include "flow/projectionRatio.hpp"
 #include "flow/sceneSymbols.hpp"
 #include "lattice/fastCounts.hpp"
 #include "lattice/memoryEstimate.hpp"
@@ -158,6 +159,10 @@ CaseCheck checkCase(const std::filesystem::path& directory)
     check.scene = reading.scalar ? reading.transport : describeScene(lattice, fluid, settings);
     check.memory = reading.scalar ? reading.memory : flowMemory(lattice, fluid, settings);
     warnOfContinuation(lattice, settings.continuations, warnings);
+    if (auto caution = mirrorCaution(lattice, settings); !reading.scalar && !caution.empty())
+    {
+        warnings.push_back(std::move(caution));
+    }
     try
     {
         const bool viscous = fluid.nu > 0;
