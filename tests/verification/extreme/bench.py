@@ -39,13 +39,13 @@ def row(identifier, case, setting, asked, slow=False):
     return add
 
 
-def short(value):
-    """A figure with two digits."""
+def short(value, digits=2):
+    """A figure with two digits, or more."""
     if value == 0:
         return "0"
     if not math.isfinite(value):
         return str(value)
-    text = f"{value:.2g}"
+    text = f"{value:.{digits}g}"
     mantissa, _, exponent = text.partition("e")
     return f"{mantissa}e{int(exponent)}" if exponent else text
 
