@@ -73,6 +73,8 @@ def main():
     if not chosen:
         parser.error("no such row")
     records, sources = [], commit()
+    if options.records:
+        os.makedirs(os.path.dirname(os.path.abspath(options.records)), exist_ok=True)
     for entry in chosen:
         records.append({**bench.measure(entry, options.full or options.slow), "commit": sources})
         show(records[-1])
