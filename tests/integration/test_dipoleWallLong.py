@@ -1,17 +1,7 @@
 """A dipole meets a wall at Re 625, on 256 intervals to t = 0.5; at Re 100 to the end of the reference; minutes."""
 from cases import unittest
 from test_dipoleWall import DipoleTest
-from tutorials import at
-
-
-def peak(times, values, start, end):
-    """Time and height of the largest value between two times, by a parabola through three points."""
-    m = max((n for n in range(1, len(times) - 1) if start < times[n] < end), key=lambda n: values[n])
-    a, b = times[m - 1] - times[m], times[m + 1] - times[m]
-    left, right = (values[m - 1] - values[m]) / a, (values[m + 1] - values[m]) / b
-    curvature = (left - right) / (a - b)
-    offset = (right - curvature * b) / (-2 * curvature)
-    return times[m] + offset, values[m] - curvature * offset**2
+from tutorials import at, peak
 
 
 class DipoleLong(DipoleTest):

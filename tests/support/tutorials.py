@@ -55,3 +55,13 @@ def at(x, xs, ys):
 def deviation(result, reference):
     """The largest difference of a profile to a reference, at the points of the reference."""
     return max(abs(at(x, *result) - y) for x, y in zip(*reference))
+
+
+def peak(times, values, start, end):
+    """Time and height of the largest value between two times, by a parabola through three points."""
+    m = max((n for n in range(1, len(times) - 1) if start < times[n] < end), key=lambda n: values[n])
+    a, b = times[m - 1] - times[m], times[m + 1] - times[m]
+    left, right = (values[m - 1] - values[m]) / a, (values[m + 1] - values[m]) / b
+    curvature = (left - right) / (a - b)
+    offset = (right - curvature * b) / (-2 * curvature)
+    return times[m] + offset, values[m] - curvature * offset**2

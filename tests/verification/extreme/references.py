@@ -5,7 +5,7 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "support"))
 
 from bench import LONG, row  # noqa: E402
-from tutorials import Tutorial, at, deviation  # noqa: E402
+from tutorials import Tutorial, at, deviation, peak  # noqa: E402
 
 EXTREMA = {100: (-0.2140424, 0.1795728, -0.2538030), 1000: (-0.3885698, 0.3769447, -0.5270771)}  # Botella & Peyret 1998
 WIDE = {"kernel__order": "4", "kernel__smoothingLength": "1.3"}
@@ -53,16 +53,6 @@ def dipole100(bench):
     for time, energy, enstrophy, dE, dZ in ((0.5, 0.2770, 27.72, 3e-4, 0.05), (1.0, 0.1163, 9.02, 1e-4, 0.01)):
         bench.at_most(f"E({time:g}) off by", abs(at(time, t, E) - energy), dE)
         bench.at_most(f"Z({time:g}) off by", abs(at(time, t, Z) - enstrophy), dZ)
-
-
-def peak(times, values, start, end):
-    """Time and height of the largest value between two times, by a parabola through three points."""
-    m = max((n for n in range(1, len(times) - 1) if start < times[n] < end), key=lambda n: values[n])
-    a, b = times[m - 1] - times[m], times[m + 1] - times[m]
-    left, right = (values[m - 1] - values[m]) / a, (values[m + 1] - values[m]) / b
-    curvature = (left - right) / (a - b)
-    offset = (right - curvature * b) / (-2 * curvature)
-    return times[m] + offset, values[m] - curvature * offset**2
 
 
 def dipole625(bench):
