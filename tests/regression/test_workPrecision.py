@@ -46,8 +46,8 @@ EXPECTED = {
         "gaussian4": (None, None, 0.34), "paper2021": "diverged",
     },
     "dipoleWall": {
-        "degree4": (None, None, 0.106), "degree3": (None, None, 0.019), "filtered3": (None, None, 0.029),
-        "gaussian4": (None, None, 0.65),
+        "degree4": (None, None, 1.91e-2), "degree3": (None, None, 1.74e-3), "filtered3": (None, None, 4.1e-3),
+        "gaussian4": (None, None, 5.31e-2),
     },
 }
 NAME = sys.argv[1] if len(sys.argv) > 1 else None
