@@ -17,7 +17,11 @@ SCENES = {  # name: (patches and their conditions of U, schemes)
                 "outlet": "type outflow;", "floor": "type noSlip;", "lid": "type noSlip;"}, ""),
     "staggered": ({"sides": None, "floor": "type noSlip;", "lid": OSCILLATING}, "// staggered"),
     "direct": ({"walls": "type noSlip;", "floor": "type noSlip;", "lid": OSCILLATING}, "// direct"),
+    "iterated": ({"sides": None, "floor": "type noSlip;", "lid": OSCILLATING}, "// BiCGStab"),
+    "iteratedBox": ({"walls": "type noSlip;", "floor": "type slip;", "lid": OSCILLATING}, "// staggered, CG"),
 }
+# With a loose tolerance, so that start values show in the bits. The matrix wants dense samples, and mirrors.
+ITERATED = "kernel { type gaussian; order 4; smoothingLength 2; }\ncontinuation { type mirror; }"
 SCHEMES = ("viscous CrankNicolson;", "viscous explicit;", "viscous explicit; walls incremental;",
            "viscous explicit; walls rotational;", "viscous explicit; walls slip;",
            "viscous explicit; walls pressurePoisson;", "viscous explicit; filter { type exponential; }")
@@ -41,8 +45,10 @@ class BetweenWalls(CaseTest):
         p = "".join(f"    {name} {{ {self.pressure(name, U)} }}\n" for name, U in patches.items())
         case.put("0/U", "dimensions [0 1 -1 0 0 0 0];\ninternalField uniform (0 0 0);\nboundaryField\n{\n" + U + "}\n")
         case.put("0/p", "dimensions [0 2 -2 0 0 0 0];\ninternalField uniform 0;\nboundaryField\n{\n" + p + "}\n")
-        case.put("system/schemes", header("schemes") + f"kernel {{ type gaussian; }}\n{schemes}\n")
-        case.put("system/solution", f"p {{ solver {'direct' if 'direct' in more else 'fft'}; }}\n")
+        solver = next((word for word in ("direct", "BiCGStab", "CG") if word in more), "fft")
+        kernel = ITERATED if solver in ("BiCGStab", "CG") else "kernel { type gaussian; }"
+        case.put("system/schemes", header("schemes") + f"{kernel}\n{schemes}\n")
+        case.put("system/solution", f"p {{ solver {solver}; tolerance 1e-5; }}\n")
         os.remove(case.path("system/sampleDict"))
         self.succeeds(case, "makeLattice")
         return case
