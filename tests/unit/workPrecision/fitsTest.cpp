@@ -75,6 +75,20 @@ TEST(CostOf, TakesTheFirstCrossingOfACurveThatRises)
     EXPECT_NEAR(cost->cost, std::sqrt(10), 1e-12);
 }
 
+TEST(CostOf, TakesCurvesFromEitherEnd)
+{
+    const CostCurve fineFirst{"", {100, 10, 1}, {1e-4, 1e-3, 1e-2}};
+    for (const double error : {std::sqrt(1e-5), 2e-3})
+    {
+        const auto cost = costOf(fineFirst, error);
+        ASSERT_TRUE(cost);
+        EXPECT_NEAR(cost->cost, costOf(curve("", 1e-2, 1), error)->cost, 1e-12);
+        EXPECT_FALSE(cost->atMost);
+    }
+    EXPECT_EQ(costOf(fineFirst, 0.5)->cost, 1);
+    EXPECT_TRUE(costOf(fineFirst, 0.5)->atMost);
+}
+
 TEST(CheapestTable, ChangesHandsWhereTheCurvesCross)
 {
     // Both cost 10 at an error of 1e-3: before, the low order is the cheaper one, behind, the high order.

@@ -66,23 +66,26 @@ std::optional<CostOf> costOf(const CostCurve& curve, double error)
     {
         if (!best || cost < best->cost) { best = CostOf{cost, atMost}; }
     };
-    bool coarsest = true;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < curve.cost.size(); ++i)
+    {
+        if (counts(curve.cost[i], curve.error[i])) { least = std::min(least, curve.cost[i]); }
+    }
     std::optional<std::size_t> before;
     for (std::size_t i = 0; i < curve.cost.size(); ++i)
     {
         if (!counts(curve.cost[i], curve.error[i])) { continue; }
         const double now = std::log(curve.error[i] / error);
-        if (now <= 0) { take(curve.cost[i], coarsest && now < 0); }
+        if (now <= 0) { take(curve.cost[i], curve.cost[i] == least && now < 0); }
         if (before)
         {
             const double then = std::log(curve.error[*before] / error);
-            if (then > 0 && now < 0)
+            if (then * now < 0)
             {
                 const double part = then / (then - now);
                 take(curve.cost[*before] * std::pow(curve.cost[i] / curve.cost[*before], part), false);
             }
         }
-        coarsest = false;
         before = i;
     }
     return best;

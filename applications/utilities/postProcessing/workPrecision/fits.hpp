@@ -25,14 +25,14 @@ struct CostCurve
 {
     std::string title;
     std::vector<double> cost;
-    std::vector<double> error; ///< in the order of the resolution
+    std::vector<double> error; ///< in the order of the resolution, from either end
 };
 
 /// The cost of reaching an error.
 struct CostOf
 {
     double cost;
-    bool atMost; ///< the coarsest run is better than asked: something coarser may be cheaper
+    bool atMost; ///< the cheapest run is better than asked: something coarser may be cheaper
 };
 
 /// The smallest cost at which a curve reaches an error: between runs along the straight line of the logarithms. Nothing
