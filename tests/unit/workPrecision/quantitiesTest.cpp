@@ -98,6 +98,7 @@ TEST(Deviation, IsTakenAtThePointsOfTheReferenceThatTheProfileReaches)
     EXPECT_DOUBLE_EQ(deviation(Quantity::Norm::max, {0, 1}, {0, 4}, {0, 0.25, 1, 7}, {0.5, 3, 4, 90}), 2);
     EXPECT_DOUBLE_EQ(deviation(Quantity::Norm::rms, {0, 1}, {0, 4}, {0, 1}, {3, 8}), std::sqrt(12.5));
     EXPECT_TRUE(std::isnan(deviation(Quantity::Norm::max, {0, 1}, {0, 4}, {2, 3}, {0, 0})));
+    EXPECT_TRUE(std::isnan(deviation(Quantity::Norm::max, {0.5}, {4}, {0.5}, {4}))) << "nothing to interpolate";
 }
 
 TEST(Evaluate, ReadsReportsFunctionsLinesAndCommands)
@@ -144,6 +145,10 @@ TEST(Evaluate, TakesTheLargestOfOthers)
     largest.others = {"a", "b"};
     const auto values = [&] { return evaluateAll({largest, a, b}, folder.path(), folder / "run"); };
     EXPECT_EQ(values(), (std::vector<double>{0.5, 1e-3, 0.5}));
+    largest.per = "steps";
+    EXPECT_DOUBLE_EQ(values()[0], 0.0025);
+    largest.reference = 0.002;
+    EXPECT_DOUBLE_EQ(values()[0], 0.25);
     b = of(Quantity::Source::command, "echo nan");
     b.name = "b";
     EXPECT_TRUE(std::isnan(values()[0]));

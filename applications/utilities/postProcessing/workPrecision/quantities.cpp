@@ -111,6 +111,13 @@ double ofCommand(const Quantity& quantity, const fs::path& folder)
     return *number;
 }
 
+/// What `per` and `reference` make of a number.
+double related(const Quantity& quantity, double value, const fs::path& folder)
+{
+    if (!quantity.per.empty()) { value /= reported(quantity, reportOf(quantity, folder), quantity.per); }
+    return quantity.reference ? std::abs(value - *quantity.reference) / std::abs(*quantity.reference) : value;
+}
+
 /// Vertex of the parabola through three points.
 double vertex(const std::vector<double>& t, const std::vector<double>& y, std::size_t m)
 {
@@ -179,7 +186,7 @@ double reduce(const Quantity& quantity, const std::vector<double>& times, const 
 double deviation(Quantity::Norm norm, const std::vector<double>& abscissae, const std::vector<double>& values,
                  const std::vector<double>& referenceAbscissae, const std::vector<double>& reference)
 {
-    if (abscissae.empty()) { return none; }
+    if (abscissae.size() < 2) { return none; }
     // Profiles may be sampled in either direction.
     std::vector<std::size_t> order(abscissae.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -226,9 +233,7 @@ double evaluate(const Quantity& quantity, const fs::path& caseDirectory, const f
     case Quantity::Source::largestOf:
         break; // evaluateAll
     }
-    if (!quantity.per.empty()) { value /= reported(quantity, reportOf(quantity, folder), quantity.per); }
-    if (quantity.reference) { value = std::abs(value - *quantity.reference) / std::abs(*quantity.reference); }
-    return value;
+    return related(quantity, value, folder);
 }
 
 std::vector<double> evaluateAll(const std::vector<Quantity>& quantities, const fs::path& caseDirectory,
@@ -238,15 +243,16 @@ std::vector<double> evaluateAll(const std::vector<Quantity>& quantities, const f
     for (const Quantity& quantity : quantities) { values.push_back(evaluate(quantity, caseDirectory, folder)); }
     for (std::size_t i = 0; i < quantities.size(); ++i)
     {
+        if (quantities[i].others.empty()) { continue; }
+        double largest = -std::numeric_limits<double>::infinity();
         for (const std::string& name : quantities[i].others)
         {
             const auto other = std::ranges::find(quantities, name, &Quantity::name);
             const double value = values[static_cast<std::size_t>(other - quantities.begin())];
             // One that is missing makes the whole missing.
-            values[i] = name == quantities[i].others.front()         ? value
-                        : std::isnan(value) || std::isnan(values[i]) ? none
-                                                                     : std::max(values[i], value);
+            largest = std::isnan(value) || std::isnan(largest) ? none : std::max(largest, value);
         }
+        values[i] = related(quantities[i], largest, folder);
     }
     return values;
 }

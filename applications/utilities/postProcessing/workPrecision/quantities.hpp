@@ -25,7 +25,7 @@ std::vector<double> evaluateAll(const std::vector<Quantity>& quantities, const s
 double reduce(const Quantity& quantity, const std::vector<double>& times, const std::vector<double>& values);
 
 /// Largest or root mean square deviation of a profile, interpolated linearly, from a reference, at the points of the
-/// reference; those outside of the profile are left out.
+/// reference; those outside of the profile are left out. Not-a-number if none is left, or the profile has one point.
 double deviation(Quantity::Norm norm, const std::vector<double>& abscissae, const std::vector<double>& values,
                  const std::vector<double>& referenceAbscissae, const std::vector<double>& reference);
 
