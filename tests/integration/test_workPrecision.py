@@ -133,10 +133,18 @@ class Sweeps(CaseTest):
         self.sweeps(case, env={"LEDGER": ledger})
         self.assertEqual(len(case.text("ledger").splitlines()), 9)
         self.assertAlmostEqual(orders(case)["fourth"], 5, places=9)
-        # Another base case: all of them.
+        # Another base case: all of them. So with a program that works on the results.
         case.replace("system/flow", "sleeps 0.01", "sleeps 0.011")
         self.sweeps(case, env={"LEDGER": ledger})
         self.assertEqual(len(case.text("ledger").splitlines()), 15)
+        case.put("afterwards", "#!/bin/sh\n")
+        os.chmod(case.path("afterwards"), 0o755)
+        case.replace("system/workPrecisionDict", "commands", "after (./afterwards);\ncommands")
+        self.sweeps(case, env={"LEDGER": ledger})
+        case.put("afterwards", "#!/bin/sh\necho 1 > error\n")
+        self.sweeps(case, env={"LEDGER": ledger})
+        self.assertEqual(len(case.text("ledger").splitlines()), 27)
+        self.assertEqual({row["error"] for row in table(case)}, {"1"})
 
     def test_repetitions_take_the_smallest_time(self):
         case = self.fake(DICTIONARY + "repetitions 3;\n")
@@ -145,6 +153,15 @@ class Sweeps(CaseTest):
         self.assertEqual(len(case.text("ledger").splitlines()), 18)
         self.assertEqual({row["repetitions"] for row in table(case)}, {"3"})
         self.assertFalse(os.path.exists(case.path("workPrecision/second/N10.repetition")))
+
+    def test_repetitions_of_a_run_wait_for_each_other(self):
+        # More jobs than runs, and a sweep that has only repetitions left.
+        case = self.fake(DICTIONARY.replace("10 20 40", "10") + "repetitions 2;\n")
+        self.sweeps(case, "-jobs", "5")
+        self.assertEqual([row["repetitions"] for row in table(case)], ["2", "2"])
+        case.replace("system/workPrecisionDict", "repetitions 2", "repetitions 4")
+        self.sweeps(case, "-jobs", "5")
+        self.assertEqual([row["repetitions"] for row in table(case)], ["4", "4"])
 
     def test_a_diverged_run_is_reported_and_left_out(self):
         case = self.fake(blowsUpAt=40)
@@ -163,6 +180,20 @@ class Sweeps(CaseTest):
         case.replace("fakeFoam", "exit 1; }", "}")
         self.sweeps(case)
         self.assertEqual({r["status"] for r in table(case)}, {"done"})
+
+    def test_half_a_report_is_that_of_a_failed_run(self):
+        case = self.fake(failsAt=20)
+        case.replace("fakeFoam", 'echo "fakeFoam:', 'mkdir postProcessing; printf "{\\"cpuTime" > postProcessing/report.json; '
+                                                    'echo "fakeFoam:')
+        self.assertIn("is unlucky (exit code 1)", self.sweeps(case))
+        self.assertEqual([r["status"] for r in table(case) if r["N"] == "20"], ["failed", "failed"])
+        self.assertEqual([r["status"] for r in table(case) if r["N"] != "20"], ["done"] * 4)
+
+    def test_exit_codes_reach_a_sweep_whose_parent_ignores_children(self):
+        case = self.fake(failsAt=20)
+        said = case.run("workPrecision", preexec=lambda: signal.signal(signal.SIGCHLD, signal.SIG_IGN))
+        self.assertEqual(said.returncode, 0, said.stderr)
+        self.assertIn("is unlucky (exit code 1)", said.stdout)
 
     def test_it_fails_if_no_run_gives_a_result(self):
         case = self.fake(DICTIONARY.replace("10 20 40", "10"), failsAt=10)
@@ -244,6 +275,14 @@ error { function errors; column "relL2(U)"; }
             case.replace("system/flow", "sleeps 300", "sleeps 0.01")
             self.sweeps(case)
             self.assertEqual(len(table(case)), 6)
+
+    def test_a_signal_stops_a_command_that_takes_long(self):
+        case = self.fake(DICTIONARY.replace("cat error", "touch begun; sleep 300"))
+        process = case.start("workPrecision")
+        self.assertTrue(wait_for(lambda: os.path.exists(case.path("workPrecision/second/N10/begun"))))
+        process.send_signal(signal.SIGTERM)
+        process.communicate(timeout=30)
+        self.assertEqual(process.returncode, 143)
 
     def test_a_second_sweep_of_the_same_case_is_refused(self):
         case = self.fake(sleeps=300)

@@ -2,6 +2,7 @@
 
 #include "core/Error.hpp"
 #include "core/FileDescriptor.hpp"
+#include "core/signals.hpp"
 
 #include <algorithm>
 #include <array>
@@ -73,6 +74,8 @@ ChildProcess::ChildProcess(const Command& command)
     const std::vector<char*> environmentPointers = pointersTo(environment);
     const pid_t parent = getpid();
     std::fflush(nullptr);
+    // Whoever started this process may ignore it; then children would leave no exit code behind.
+    std::signal(SIGCHLD, SIG_DFL);
     pid_ = fork();
     if (pid_ < 0) { throwRefused(command.words[0], "could not be started", errno); }
     if (pid_ == 0)
@@ -105,6 +108,15 @@ bool ChildProcess::ended()
     cpuTime_ = seconds(usage.ru_utime) + seconds(usage.ru_stime);
     peakMemory_ = usage.ru_maxrss * 1024; // Linux counts in kilobytes
     return true;
+}
+
+void ChildProcess::wait()
+{
+    while (!ended())
+    {
+        if (caughtSignal() != 0) { throw StoppedBySignal{caughtSignal()}; }
+        usleep(1000);
+    }
 }
 
 void ChildProcess::signal(int number) const
@@ -150,7 +162,7 @@ std::string outputOf(const std::string& command, const fs::path& folder)
                         .log = log,
                         .environment = {{"PATH", searchPath()}},
                         .inherited = -1});
-    while (!child.ended()) { usleep(1000); }
+    child.wait();
     const auto contentOf = [](const fs::path& file)
     {
         std::string text;

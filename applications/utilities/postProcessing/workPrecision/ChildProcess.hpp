@@ -34,6 +34,10 @@ public:
     /// Whether it has ended; does not wait.
     bool ended();
 
+    /// Waits until it has ended.
+    /// \throws StoppedBySignal if this process is asked to stop meanwhile
+    void wait();
+
     /// Sends a signal to it and to what it started.
     void signal(int number) const;
 
@@ -56,7 +60,7 @@ private:
 };
 
 /// What a command of the shell prints to standard output; the suite's programs are on its PATH.
-/// \throws Error(input) if it fails, with what it said.
+/// \throws Error(input) if it fails, with what it said; StoppedBySignal as ChildProcess::wait
 std::string outputOf(const std::string& command, const std::filesystem::path& folder);
 
 /// The folder of the programs: where this one is.

@@ -2,7 +2,6 @@
 
 #include "case/AtomicFolder.hpp"
 #include "core/Error.hpp"
-#include "core/readJson.hpp"
 #include "prepareRun.hpp"
 
 #include <algorithm>
@@ -162,8 +161,7 @@ void Job::judge()
     const int code = child_->exitCode();
     if (isSolver(step_))
     {
-        const fs::path reportFile = folder_ / "postProcessing" / "report.json";
-        const JsonValues report = fs::exists(reportFile) ? readJson(reportFile, "report.json") : JsonValues{};
+        const JsonValues report = reportLeft(folder_);
         record_.cpuTimes.push_back(report.number("cpuTime").value_or(child_->cpuTime()));
         record_.wallTimes.push_back(report.number("wallTime").value_or(child_->wallTime()));
         record_.peakMemory =

@@ -1,6 +1,5 @@
 #include "Results.hpp"
 
-#include "core/readJson.hpp"
 #include "dictionary/Lexer.hpp"
 #include "quantities.hpp"
 
@@ -59,14 +58,10 @@ void Results::collect(std::size_t run, const fs::path& caseDirectory)
     columns_["peakMemory"][run] = record.peakMemory > 0 ? static_cast<double>(record.peakMemory) : none;
 
     const fs::path folder = caseDirectory / made.folder;
-    const fs::path reportFile = folder / "postProcessing" / "report.json";
-    if (fs::exists(reportFile))
-    {
-        const JsonValues report = readJson(reportFile, reportFile.string());
-        columns_["steps"][run] = report.number("steps").value_or(none);
-        columns_["time"][run] = report.number("time").value_or(none);
-        columns_["points"][run] = pointsOf(report);
-    }
+    const JsonValues report = reportLeft(folder);
+    columns_["steps"][run] = report.number("steps").value_or(none);
+    columns_["time"][run] = report.number("time").value_or(none);
+    columns_["points"][run] = pointsOf(report);
     if (record.status != RunStatus::done) { return; }
     const std::vector<double> values = evaluateAll(made.quantities, caseDirectory, folder);
     for (std::size_t i = 0; i < values.size(); ++i) { columns_[made.quantities[i].name][run] = values[i]; }

@@ -94,6 +94,19 @@ void writeRecord(const std::filesystem::path& folder, const RunRecord& record)
                                   numberText(record.jobTime), plain(record.message)));
 }
 
+JsonValues reportLeft(const std::filesystem::path& folder)
+{
+    const std::filesystem::path file = folder / "postProcessing" / "report.json";
+    try
+    {
+        return std::filesystem::exists(file) ? readJson(file, file.string()) : JsonValues{};
+    }
+    catch (const Error&)
+    {
+        return {};
+    }
+}
+
 std::string hashOf(std::string_view text)
 {
     std::uint64_t hash = 0xcbf29ce484222325U;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/readJson.hpp"
 #include "core/Selection.hpp"
 
 #include <filesystem>
@@ -45,6 +46,10 @@ std::optional<RunRecord> readRecord(const std::filesystem::path& folder);
 
 /// \throws Error(input) if the machine refuses.
 void writeRecord(const std::filesystem::path& folder, const RunRecord& record);
+
+/// The values of the report that a solver left in a run's folder: none if there is no report, or no whole one, as of a
+/// solver that was killed.
+JsonValues reportLeft(const std::filesystem::path& folder);
 
 /// FNV-1a, 64 bits, as text: tells whether two texts are the same.
 std::string hashOf(std::string_view text);

@@ -147,10 +147,13 @@ std::string baseHash(const Sweep& sweep)
             if (entry.is_regular_file() && !ours) { files.push_back(entry.path()); }
         }
     }
-    for (const std::string& command : sweep.commands)
+    for (const auto* commands : {&sweep.commands, &sweep.after})
     {
-        const fs::path script = sweep.baseCase / wordsOf(command).front();
-        if (fs::is_regular_file(script)) { files.push_back(script); }
+        for (const std::string& command : *commands)
+        {
+            const fs::path script = sweep.baseCase / wordsOf(command).front();
+            if (fs::is_regular_file(script)) { files.push_back(script); }
+        }
     }
     std::ranges::sort(files);
     std::string text;

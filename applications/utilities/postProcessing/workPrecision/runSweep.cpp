@@ -94,7 +94,7 @@ public:
         double shown = -refreshSeconds;
         while (!tasks_.empty() || !jobs_.empty())
         {
-            while (!tasks_.empty() && jobs_.size() < static_cast<std::size_t>(sweep_.jobs)) { start(); }
+            while (jobs_.size() < static_cast<std::size_t>(sweep_.jobs) && startNext()) {}
             usleep(2000);
             if (caughtSignal() != 0) { stop(); }
             collect();
@@ -107,20 +107,33 @@ public:
     }
 
 private:
-    void start()
+    struct Active
     {
-        const Task task = tasks_.front();
-        tasks_.pop_front();
+        std::size_t run;
+        std::unique_ptr<Job> job;
+    };
+
+    /// Takes the first task whose run is not being made: repetitions share a folder, and wait for what the run does.
+    /// Whether there was one.
+    bool startNext()
+    {
+        const auto idle = [this](const Task& task)
+        { return std::ranges::none_of(jobs_, [&](const Active& active) { return active.run == task.run; }); };
+        const auto next = std::ranges::find_if(tasks_, idle);
+        if (next == tasks_.end()) { return false; }
+        const Task task = *next;
+        tasks_.erase(next);
         const Run& run = sweep_.runs[task.run];
         const RunStatus status = records_[task.run].status;
         if (task.repetition > 0 && status != RunStatus::done) // it diverged, say: no use in repeating that
         {
             ++finished_;
-            return;
+            return true;
         }
         if (task.repetition == 0) { removeLeftovers((caseDirectory_ / run.folder).parent_path()); }
         jobs_.push_back({task.run, std::make_unique<Job>(sweep_, run, caseDirectory_, task.repetition,
                                                          settingsHash(run, sweep_, baseFiles_))});
+        return true;
     }
 
     void collect()
@@ -139,12 +152,6 @@ private:
             report(active);
         }
     }
-
-    struct Active
-    {
-        std::size_t run;
-        std::unique_ptr<Job> job;
-    };
 
     void report(const Active& active)
     {

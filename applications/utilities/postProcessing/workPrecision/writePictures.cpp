@@ -9,7 +9,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fstream>
-#include <unistd.h>
 
 namespace isph
 {
@@ -211,7 +210,7 @@ bool writePictures(const Results& results, const fs::path& folder)
         fs::remove(log);
         ChildProcess child(
             {.words = {gnuplot.string(), picture.name + ".gp"}, .folder = folder, .log = log, .environment = {}});
-        while (!child.ended()) { usleep(5000); }
+        child.wait();
         if (child.exitCode() != 0)
         {
             std::ifstream said(log);
