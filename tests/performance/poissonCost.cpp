@@ -13,9 +13,9 @@
 #include "support/fields.hpp"
 #include "support/kernels.hpp"
 #include "support/periodicBox.hpp"
+#include "support/processorSecondsOf.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <fmt/format.h>
 #include <limits>
@@ -28,23 +28,15 @@ using namespace isph::test;
 namespace
 {
 
-template<class Work>
-double secondsOf(Work work)
-{
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// Seconds of two pieces of work, in turn.
+/// Seconds of processor time of two pieces of work, in turn.
 template<class First, class Second>
 std::array<double, 2> smallest(First first, Second second)
 {
     std::array<double, 2> best{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     for (int round = 0; round < 20; ++round)
     {
-        best[0] = std::min(best[0], secondsOf(first));
-        best[1] = std::min(best[1], secondsOf(second));
+        best[0] = std::min(best[0], processorSecondsOf(first));
+        best[1] = std::min(best[1], processorSecondsOf(second));
     }
     return best;
 }
@@ -91,7 +83,7 @@ void measure(const std::string& name, int n, const std::array<AxisEnds, 3>& ends
                                             transform.forward(real, modes);
                                             transform.backward(modes, real);
                                         });
-    fmt::print("{:<28} {:>12.3e} {:>12.3e} {:>8.2f}\n", name + ", " + std::to_string(n), solve, pair, solve / pair);
+    fmt::print("| {} | {:.3e} | {:.3e} | {:.2f} |\n", name + ", " + std::to_string(n), solve, pair, solve / pair);
     std::fflush(stdout);
 }
 
@@ -114,7 +106,7 @@ void measureDirect(const std::string& name, int n, const std::array<AxisEnds, 3>
     RealField phi(1, lattice.points());
     const auto [solve, fast] =
         smallest([&] { direct.solve(0, -1, source[0], {}, phi[0]); }, [&] { poisson.solve(source, {}, phi); });
-    fmt::print("{:<28} {:>12.3e} {:>12.3e} {:>8.2f}\n", name + ", " + std::to_string(n), solve, fast, solve / fast);
+    fmt::print("| {} | {:.3e} | {:.3e} | {:.2f} |\n", name + ", " + std::to_string(n), solve, fast, solve / fast);
     std::fflush(stdout);
 }
 
@@ -144,7 +136,7 @@ void measureTransforms(int n)
                 smallest([&] { transform.forward(values); }, [&] { packaged.forward(lines, modes); });
             ratios[static_cast<std::size_t>(axis)] = own / r2c;
         }
-        fmt::print("{:<10} {:>6} {:>10.2f} {:>10.2f}\n", name, n, ratios[0], ratios[1]);
+        fmt::print("| {} | {} | {:.2f} | {:.2f} |\n", name, n, ratios[0], ratios[1]);
     }
 }
 
@@ -158,7 +150,8 @@ int main(int argc, char** argv)
     std::vector<int> sizes{64, 128, 256, 320, 512};
     if (argc > 1) { sizes = {std::stoi(argv[1])}; }
 
-    fmt::print("{:<28} {:>12} {:>12} {:>8}\n", "solve", "solve [s]", "r2c+c2r [s]", "ratio");
+    fmt::print("Seconds are processor time of one thread, the least of several, taken in turn.\n\n"
+               "| solve | solve [s] | r2c + c2r [s] | ratio |\n| --- | --- | --- | --- |\n");
     for (const int n : sizes) { measure("channel", n, {open, walls, open}, 2); }
     for (const int n : sizes) { measure("box", n, {walls, walls, open}, 2); }
     for (const int n : sizes) { measure("inlet to outlet", n, {outlet, walls, open}, 2); }
@@ -169,11 +162,12 @@ int main(int argc, char** argv)
     }
 
     const AxisEnds rest{End::dirichlet, End::dirichlet};
-    fmt::print("\n{:<28} {:>12} {:>12} {:>8}\n", "continued Laplacian", "direct [s]", "series [s]", "ratio");
+    fmt::print("\n| continued Laplacian | direct [s] | series [s] | ratio |\n| --- | --- | --- | --- |\n");
     for (const int n : sizes) { measureDirect("channel, slopes", n, {open, walls, open}); }
     for (const int n : sizes) { measureDirect("box, slopes", n, {walls, walls, open}); }
     for (const int n : sizes) { measureDirect("box, values", n, {rest, rest, open}); }
 
-    fmt::print("\n{:<10} {:>6} {:>10} {:>10}\n", "transform", "n", "along x", "along y");
+    fmt::print("\nTransforms along an axis over the same r2c of contiguous lines:\n\n"
+               "| transform | n | along x | along y |\n| --- | --- | --- | --- |\n");
     for (const int n : sizes) { measureTransforms(n); }
 }

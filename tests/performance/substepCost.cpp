@@ -3,15 +3,15 @@
 //     OMP_NUM_THREADS=1 build/tests/substepCost            the default scene in 2-D and 3-D
 //     OMP_NUM_THREADS=1 build/tests/substepCost 160        one 2-D size
 //
-// Prints seconds and their ratio; the smaller of several repetitions counts on both sides, interleaved, because
-// machines are noisy.
+// Prints seconds of processor time and their ratio; the smallest of several repetitions counts on both sides, in turn,
+// because machines are noisy.
 
 #include "fields/reductions.hpp"
 #include "support/flows.hpp"
 #include "support/periodicBox.hpp"
+#include "support/processorSecondsOf.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <fmt/format.h>
 #include <limits>
@@ -31,14 +31,6 @@ FlowSettings defaultSettings()
     settings.exactMeanFlow = true;
     settings.dealiasing = Dealiasing::twoThirds;
     return settings;
-}
-
-template<class Work>
-double secondsOf(int repetitions, Work work)
-{
-    const auto start = std::chrono::steady_clock::now();
-    for (int i = 0; i < repetitions; ++i) { work(); }
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / repetitions;
 }
 
 void measure(const Lattice& lattice, const std::string& name)
@@ -72,21 +64,30 @@ void measure(const Lattice& lattice, const std::string& name)
     double transforms = step;
     for (int round = 0; round < 15; ++round)
     {
-        step = std::min(step, secondsOf(repetitions,
-                                        [&]
-                                        {
-                                            flow.rates();
-                                            advance(*settings.time, flow, 0, dt);
-                                        }));
-        transforms = std::min(transforms, secondsOf(3 * repetitions,
-                                                    [&]
-                                                    {
-                                                        inputs.backward(velocityModes, velocity);
-                                                        outputs.forward(product, productModes);
-                                                    }));
+        const auto repeated = [](int times, auto work)
+        {
+            return processorSecondsOf(
+                       [&]
+                       {
+                           for (int i = 0; i < times; ++i) { work(); }
+                       }) /
+                   times;
+        };
+        step = std::min(step, repeated(repetitions,
+                                       [&]
+                                       {
+                                           flow.rates();
+                                           advance(*settings.time, flow, 0, dt);
+                                       }));
+        transforms = std::min(transforms, repeated(3 * repetitions,
+                                                   [&]
+                                                   {
+                                                       inputs.backward(velocityModes, velocity);
+                                                       outputs.forward(product, productModes);
+                                                   }));
     }
     const double substep = step / 3;
-    fmt::print("{:>10} {:>14.3e} {:>14.3e} {:>8.2f} {:>12.2f}\n", name, substep, transforms, substep / transforms,
+    fmt::print("| {} | {:.3e} | {:.3e} | {:.2f} | {:.2f} |\n", name, substep, transforms, substep / transforms,
                1e9 * substep / static_cast<double>(lattice.points()));
     std::fflush(stdout);
 }
@@ -95,7 +96,9 @@ void measure(const Lattice& lattice, const std::string& name)
 
 int main(int argc, char** argv)
 {
-    fmt::print("{:>10} {:>14} {:>14} {:>8} {:>12}\n", "lattice", "substep [s]", "transforms [s]", "ratio", "ns/point");
+    fmt::print("A substep of RK3 with the defaults of a periodic box, beside the transforms it contains, on buffers of "
+               "the same size.\nSeconds are processor time of one thread, the least of several, taken in turn.\n\n"
+               "| lattice | substep [s] | transforms [s] | ratio | ns per point |\n| --- | --- | --- | --- | --- |\n");
     if (argc > 1)
     {
         measure(unitSquare(std::stoi(argv[1])), std::string(argv[1]) + "^2");

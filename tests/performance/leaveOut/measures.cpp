@@ -4,13 +4,13 @@
 #include "lattice/memoryEstimate.hpp"
 #include "PlainStep.hpp"
 #include "SceneRun.hpp"
+#include "support/processorSecondsOf.hpp"
 #include "support/TemporaryFolder.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <limits>
 #include <malloc.h>
 #include <memory>
@@ -25,13 +25,6 @@ namespace
 
 constexpr double dt = 2e-4; // of scenes.cpp
 constexpr int forever = 1000000;
-
-double processorSeconds()
-{
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 double heapBytes()
 {
@@ -96,12 +89,7 @@ StepSeconds secondsOfSteps(const SceneOnTrial& scene, int rounds)
 
     constexpr double never = std::numeric_limits<double>::infinity();
     StepSeconds least{never, never, never};
-    const auto time = [](double& best, auto step)
-    {
-        const double start = processorSeconds();
-        step();
-        best = std::min(best, processorSeconds() - start);
-    };
+    const auto time = [](double& best, auto step) { best = std::min(best, processorSecondsOf(step)); };
     for (int round = 0; round < rounds; ++round)
     {
         for (int i = 0; i < 4; ++i)

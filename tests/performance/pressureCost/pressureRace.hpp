@@ -6,8 +6,9 @@
 #include "operators/KernelSamples.hpp"
 #include "poisson/FourierPoisson.hpp"
 #include "poisson/IterativePoisson.hpp"
+#include "support/processorSecondsOf.hpp"
 
-#include <ctime>
+#include <array>
 #include <limits>
 #include <string>
 
@@ -48,21 +49,6 @@ private:
     KernelSamples samples_;
     RealField source_;
 };
-
-/// Seconds of processor time that a piece of work takes.
-template<class Work>
-double processorSecondsOf(Work work)
-{
-    const auto now = []
-    {
-        timespec time{};
-        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-    };
-    const double start = now();
-    work();
-    return now() - start;
-}
 
 /// Largest difference of two fields without their means, of the largest value of the second.
 double largestDifference(const RealField& a, const RealField& b);
