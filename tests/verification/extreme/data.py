@@ -24,8 +24,8 @@ def periodicJump(bench, dealiasing):
         rate = nu * morris([2 * math.pi * wave], [1.5 / n], 10)
         expected[0] += modulus
         expected[1] += modulus * math.exp(2 * rate * end)
-    bench.at_most("energy of the start off by", abs(K[0] / expected[0] - 1), 1e-12)
-    bench.at_most("energy at the end off by", abs(K[-1] / expected[1] - 1), 1e-12)
+    bench.at_most("energy of the start off by", abs(K[0] / expected[0] - 1), 2e-14)
+    bench.at_most("energy at the end off by", abs(K[-1] / expected[1] - 1), 2e-14)
 
 
 def periodicJumps(bench, nu):

@@ -1,4 +1,5 @@
-"""Symbols of the Gaussian kernels in closed form (docs/theory/periodic.md, section 1), for what a mode has to do."""
+"""What a mode has to do: symbols of the Gaussian kernels in closed form (docs/theory/periodic.md, section 1), and how far
+lines between walls are off."""
 import math
 
 
@@ -37,3 +38,10 @@ def second(k, h, order):
     """The second derivative of the kernel."""
     s = sum((a * b) ** 2 for a, b in zip(k, h)) / 4
     return -sum(a * a for a in k) * upper(order // 2, s)
+
+
+def wallDefect(decayed, n):
+    """How far a mode between walls on n intervals may be off after it decayed by exp(-decayed): the second derivative at
+    walls is off by (pi/n)^3.5, until that has spread over a spacing; the first eigenvalue of continued lines by 1e-6."""
+    h = math.pi / n
+    return min(decayed, h**2) * h**3.5 + 1e-6 * min(1, decayed)
