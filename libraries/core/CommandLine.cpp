@@ -4,6 +4,7 @@
 #include "core/nearestWord.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
 #include <fmt/format.h>
 
@@ -136,6 +137,19 @@ std::optional<std::string> CommandLine::value(std::string_view option) const
     const auto found = options_.find(option);
     if (found == options_.end()) { return std::nullopt; }
     return found->second;
+}
+
+int CommandLine::wholeNumber(std::string_view option, int least, int otherwise) const
+{
+    const auto text = value(option);
+    if (!text) { return otherwise; }
+    int number = 0;
+    const auto parsed = std::from_chars(text->data(), text->data() + text->size(), number);
+    if (parsed.ec != std::errc() || parsed.ptr != text->data() + text->size() || number < least)
+    {
+        throw Error(Fault::usage, fmt::format("-{}: '{}' is no whole number from {} on", option, *text, least));
+    }
+    return number;
 }
 
 std::filesystem::path CommandLine::caseDirectory() const { return value("case").value_or("."); }

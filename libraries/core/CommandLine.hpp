@@ -61,6 +61,10 @@ public:
     /// The argument of an option that was given.
     std::optional<std::string> value(std::string_view option) const;
 
+    /// The whole number behind an option, `otherwise` where it was not given.
+    /// \throws Error(usage) for what is none, and for numbers below the least.
+    int wholeNumber(std::string_view option, int least, int otherwise) const;
+
     const std::vector<std::string>& positional() const { return positional_; }
 
     /// -case, default "."; not checked for existence.

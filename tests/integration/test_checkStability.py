@@ -119,7 +119,8 @@ class CheckStability(CaseTest):
         rows = self.rows(self.report(case, "-fractions", "(1.3 0.7)", "-steps", "200"), "viscous")
         self.assertEqual(list(rows), [0.7, 1.3])
         self.assertLessEqual(rows[0.7]["steps"], 200)
-        for arguments in (("-fractions", "()"), ("-fractions", "(1 zwei)"), ("-steps", "3"), ("-steps", "many")):
+        for arguments in (("-fractions", "()"), ("-fractions", "(1 zwei)"), ("-fractions", "inf"), ("-steps", "3"),
+                          ("-steps", "70.5"), ("-steps", "1e12")):
             self.assertEqual(case.run("checkStability", *arguments).returncode, 2, arguments)
 
     def test_table_of_schemes(self):

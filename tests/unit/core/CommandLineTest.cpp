@@ -85,6 +85,18 @@ TEST(CommandLine, refusals)
               "'stray' is not an option and no other arguments are expected\n    tool -help shows the usage");
 }
 
+TEST(CommandLine, wholeNumbersHaveALeast)
+{
+    const Application application = tool();
+    EXPECT_EQ(CommandLine(application, {"-set", "7"}).wholeNumber("set", 7, 9), 7);
+    EXPECT_EQ(CommandLine(application, {}).wholeNumber("set", 7, 9), 9);
+    for (const char* wrong : {"6", "7.5", "1e3", "99999999999", "seven", ""})
+    {
+        const CommandLine line(application, {"-set", wrong});
+        EXPECT_THROW(line.wholeNumber("set", 7, 9), Error) << wrong;
+    }
+}
+
 TEST(CommandLine, textIsWhatOneWouldType)
 {
     const Application application = tool();

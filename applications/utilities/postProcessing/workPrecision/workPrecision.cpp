@@ -20,7 +20,6 @@
 #include "writePictures.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <fmt/format.h>
 
 using namespace isph;
@@ -106,19 +105,6 @@ static void clean(const Case& theCase, Log& log)
     }
 }
 
-static int jobsOf(const CommandLine& line, int otherwise)
-{
-    if (!line.has("jobs")) { return otherwise; }
-    const std::string text = *line.value("jobs");
-    int jobs = 0;
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), jobs);
-    if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size() || jobs < 1)
-    {
-        throw Error(Fault::usage, fmt::format("-jobs '{}' is no positive whole number", text));
-    }
-    return jobs;
-}
-
 static void run(const CommandLine& line, Log& log)
 {
     const Case theCase(line.caseDirectory());
@@ -128,7 +114,7 @@ static void run(const CommandLine& line, Log& log)
         return;
     }
     Sweep sweep = readSweep(theCase, line.has("reduced"));
-    sweep.jobs = jobsOf(line, sweep.jobs);
+    sweep.jobs = line.wholeNumber("jobs", 1, sweep.jobs);
     checkSweep(sweep);
     std::vector<RunRecord> records = knownRecords(sweep, theCase.directory());
     if (line.has("list"))

@@ -18,21 +18,21 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <fmt/format.h>
 #include <iostream>
-#include <limits>
 #include <sstream>
 
 using namespace isph;
 
-/// A positive number of the command line.
-static double numberOf(std::string_view option, const std::string& text)
+/// A positive number of the list behind -fractions.
+static double fractionOf(const std::string& text)
 {
     double value = 0;
     const auto [end, slip] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (slip != std::errc() || end != text.data() + text.size() || !(value > 0))
+    if (slip != std::errc() || end != text.data() + text.size() || !(value > 0) || std::isinf(value))
     {
-        throw Error(Fault::usage, fmt::format("-{}: '{}' is no positive number", option, text), "");
+        throw Error(Fault::usage, fmt::format("-fractions: '{}' is no positive number", text));
     }
     return value;
 }
@@ -47,23 +47,10 @@ static std::vector<double> fractionsOf(const CommandLine& line)
         words, [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
     std::istringstream stream(words);
     std::vector<double> fractions;
-    for (std::string word; stream >> word;) { fractions.push_back(numberOf("fractions", word)); }
+    for (std::string word; stream >> word;) { fractions.push_back(fractionOf(word)); }
     if (fractions.empty()) { throw Error(Fault::usage, "-fractions: the list is empty", "write '(0.9 1.1)'"); }
     std::ranges::sort(fractions);
     return fractions;
-}
-
-static int stepsOf(const CommandLine& line)
-{
-    constexpr int least = 60; // fewer show nothing of the modes that grow slowest
-    const auto text = line.value("steps");
-    if (!text) { return 400; }
-    const double steps = numberOf("steps", *text);
-    if (steps < least || steps > std::numeric_limits<int>::max())
-    {
-        throw Error(Fault::usage, fmt::format("-steps: {} is too few", *text), fmt::format("write {} or more", least));
-    }
-    return static_cast<int>(steps);
 }
 
 static void run(const CommandLine& line, Log& log)
@@ -75,7 +62,8 @@ static void run(const CommandLine& line, Log& log)
         return;
     }
     const std::vector<double> fractions = fractionsOf(line);
-    const int steps = stepsOf(line);
+    constexpr int least = 60; // fewer show nothing of the modes that grow slowest
+    const int steps = line.wholeNumber("steps", least, 400);
     useRequestedThreads();
     const Case flowCase(line.caseDirectory());
     const Dictionary controlDict = controlDictSchema().complete(flowCase.dictionary("system/controlDict"));
