@@ -8,8 +8,10 @@
 #include "lattice/memoryEstimate.hpp"
 #include "operators/continuedBounds.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <string>
+#include <vector>
 
 namespace isph
 {
@@ -38,6 +40,19 @@ std::optional<IterationSettings> readIteration(const Dictionary& p)
                              .krylov = {p.number("tolerance"), p.integer("maxIter")}};
 }
 
+/// What makes the Laplacian of samples stronger: points that are as far apart on every axis, and sampled more densely.
+std::string weakLaplacianAdvice(const Lattice& lattice, const KernelSettings& kernel)
+{
+    std::vector<double> spacings;
+    for (int d = 0; d < lattice.dimensions(); ++d) { spacings.push_back(lattice.activeAxis(d).spacing()); }
+    const bool stretched = std::ranges::max(spacings) > 1.5 * std::ranges::min(spacings);
+    const std::string cure = stretched ? "take the same spacing on every axis"
+                             : kernel.smoothingLength >= 2
+                                 ? "write a lower order in kernel"
+                                 : "write a larger smoothingLength (2), or a lower order, in kernel";
+    return cure + "; or solver fft; eigenvalues consistent;";
+}
+
 /// What the Morris Laplacian over neighbours needs: a kernel that has some, and room for the matrix.
 void checkMatrix(const Dictionary& p, const Lattice& lattice, const FlowSettings& settings)
 {
@@ -60,8 +75,7 @@ void checkMatrix(const Dictionary& p, const Lattice& lattice, const FlowSettings
                         fmt::format("the Laplacian of this kernel's samples is too weak for its gradient, whose "
                                     "divergence is up to {:.3g} times as large: beyond 2 the flow grows without limit",
                                     ratio),
-                        "write a larger smoothingLength (2), or a lower order, in kernel; or solver fft; eigenvalues "
-                        "consistent;");
+                        weakLaplacianAdvice(lattice, settings.kernel));
         }
         if (!settings.iteration) { return; }
         requireCountable(lattice, samples);

@@ -12,6 +12,7 @@ namespace isph
 namespace
 {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -132,8 +133,15 @@ TEST(SolutionOfALattice, RefusesMatricesThatMakeNoSense)
                 StartsWith("system/solution:1: p.solver: CG sums over neighbours, and the exact derivative has none"));
     EXPECT_THAT(refused("kernel { type exact; }", "eigenvalues morris;"),
                 StartsWith("system/solution:1: p.eigenvalues: morris sums over neighbours"));
-    EXPECT_THAT(refused("kernel { type gaussian; order 20; smoothingLength 1.5; }", "solver BiCGStab;"),
-                StartsWith("system/solution:1: p.solver: the Laplacian of this kernel's samples is too weak"));
+    const std::string weak = "system/solution:1: p.solver: the Laplacian of this kernel's samples is too weak";
+    const auto refusedOn = [](int points, const std::string& settings)
+    { return refusal(channel(points), "kernel { type gaussian; " + settings + " }", "p { solver BiCGStab; }"); };
+    EXPECT_THAT(refusedOn(33, "order 20; smoothingLength 1.5;"),
+                AllOf(StartsWith(weak), HasSubstr("a larger smoothingLength (2), or a lower order")));
+    EXPECT_THAT(refusedOn(33, "order 66; smoothingLength 2;"),
+                AllOf(StartsWith(weak), HasSubstr("write a lower order in kernel")));
+    EXPECT_THAT(refusedOn(129, "order 20; smoothingLength 1.5;"),
+                AllOf(StartsWith(weak), HasSubstr("take the same spacing on every axis")));
     EXPECT_THAT(refused("kernel { type gaussian; smoothingLength 0.1; supportRadius 5; }", "solver CG;"),
                 StartsWith("system/solution:1: p.solver: the support of the sampled kernel reaches no neighbour"));
     EXPECT_THAT(refused(fine, "solver gmres;"), StartsWith("system/solution:1: p.solver: 'gmres' is not a known"));
