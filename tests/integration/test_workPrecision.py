@@ -291,6 +291,8 @@ error { function errors; column "relL2(U)"; }
         self.addCleanup(process.kill)
         self.assertTrue(wait_for(lambda: os.path.exists(case.path("workPrecision/second/N10/postProcessing/report.json"))))
         self.refuses(case, "another sweep of this case is running", arguments=())
+        self.refuses(case, "another sweep of this case is running", arguments=("-clean",))
+        self.assertTrue(os.path.exists(case.path("workPrecision/second/N10/postProcessing/report.json")))
 
     def test_two_jobs_give_the_table_of_one(self):
         one, two = self.fake(), self.fake()
@@ -359,8 +361,46 @@ external { other { file "validation/other.csv"; title "another code"; columns { 
         shutil.rmtree(case.path("postProcessing"))
         self.sweeps(case, "-plot")
         self.assertEqual(len(table(case)), 6)
+        self.assertIn("nothing left to run", self.sweeps(case, "-list"))
+        self.assertIn("6 of 6 runs are there already", self.sweeps(case))
         self.sweeps(case, "-clean")
         self.assertFalse(os.path.exists(case.path("workPrecision")))
+
+    def test_errors_without_a_logarithm_are_told(self):
+        # A run without any error is as good as one can ask for; one whose error is no number is not.
+        case = self.fake(DICTIONARY.replace(
+            "cat error", "case $(cat system/flow) in *'N 20;'*'order 2;'*) echo nan;; *'N 20;'*) echo 0;; "
+            "*'order 2;'*) echo 0.1;; *) echo 0.001;; esac"))
+        said = self.sweeps(case)
+        self.assertIn("second, N 20: error is no number", said)
+        self.assertIn("fourth, N 20: error is 0, which has no logarithm", said)
+        self.assertNotIn("-0.00", said)
+        self.assertEqual([(r["status"], r["error"]) for r in table(case) if r["N"] == "20"], [("done", ""), ("done", "0")])
+        self.assertEqual({r["cheapest"] for r in table(case, "cheapest") if float(r["error"]) < 0.1}, {"fourth"})
+
+    def test_no_picture_of_nothing(self):
+        case = self.fake(DICTIONARY.replace("cat error", "echo 0"))
+        self.assertIn("no workPrecision.svg: nothing to draw", self.sweeps(case))
+        self.assertFalse(os.path.exists(case.path("postProcessing/workPrecision/workPrecision.png")))
+
+    def test_lists_of_lists_and_columns_that_only_some_runs_have(self):
+        case = self.case(endTime=0.02, functions="")
+        case.put("system/workPrecisionDict", header("workPrecisionDict") + """
+parameters
+{
+    count  { values ((10 10 1) (14 14 1)); entry system/latticeDict.count; }
+    solver { values (fft CG); entry system/solution.p.solver; }
+}
+resolution count;
+set { "system/schemes" { kernel { order 4; smoothingLength 2; } } }
+plot { x count; y cpuTime; }
+collect { iterations { report pressureSolver.iterations.mean; optional yes; } }
+""")
+        self.sweeps(case)
+        self.assertEqual([(r["count"], r["points"]) for r in table(case)][::2], [("(10 10 1)", "100"), ("(14 14 1)", "196")])
+        for row in table(case):
+            self.assertEqual(row["iterations"] == "", row["solver"] == "fft")
+        self.assertIn("set xtics ('10' 10, '14' 14)", case.text("postProcessing/workPrecision/workPrecision.gp"))
 
     def test_a_picture_of_costs(self):
         case = self.fake(DICTIONARY + """
@@ -379,7 +419,12 @@ plot { workPrecision { y error; } cost { x N; y perStep; } }
         self.refuses(case, "system/workPrecisionDict:%d: " % case.line_of("system/workPrecisionDict", "flw"),
                      "the base case has no file system/flw")
         case = self.fake(DICTIONARY + "baseCase ../nowhere;\n")
-        self.refuses(case, "there is no such case directory")
+        self.refuses(case, "system/workPrecisionDict:%d: baseCase: " % case.line_of("system/workPrecisionDict", "baseCase"),
+                     "there is no such case directory")
+        case = self.fake("parameters { N { values (10 20); entry system/flw.N; } }\ncommands (./fakeFoam);\n"
+                         'error { command "cat error"; }\n')
+        self.refuses(case, "system/workPrecisionDict:%d: " % case.line_of("system/workPrecisionDict", "flw"),
+                     "the base case has no file system/flw")
         case = self.case()
         case.put("system/workPrecisionDict", header("workPrecisionDict") +
                  'parameters { N (8); }\nerror { function erors; column "relL2(U)"; }\n')

@@ -68,6 +68,14 @@ TEST(CostOf, IsNothingWhereNoRunGets)
     EXPECT_FALSE(costOf({"", {1, 2}, {none, none}}, 1));
 }
 
+TEST(CostOf, CountsARunWithoutAnyError)
+{
+    const CostCurve curve{"", {1, 10, 5}, {1e-1, 0, 1e-3}};
+    EXPECT_EQ(costOf(curve, 1e-2)->cost, 5); // there is no line to or from the run between the others
+    EXPECT_EQ(costOf(curve, 1e-6)->cost, 10);
+    EXPECT_FALSE(costOf(curve, 1e-6)->atMost);
+}
+
 TEST(CostOf, TakesTheFirstCrossingOfACurveThatRises)
 {
     const auto cost = costOf({"", {1, 10, 100, 1000}, {1e-1, 1e-3, 1e-1, 1e-4}}, 1e-2);

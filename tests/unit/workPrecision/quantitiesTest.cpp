@@ -172,4 +172,17 @@ TEST(Evaluate, NamesWhatThereIsInstead)
                 HasSubstr("failed with exit code 1\n    why"));
 }
 
+TEST(Evaluate, LeavesOutWhatIsOptional)
+{
+    const TemporaryFolder folder;
+    writeResults(folder);
+    std::vector<Quantity> quantities{of(Quantity::Source::report, "pressureSolver.iterations.mean"),
+                                     of(Quantity::Source::report, "steps")};
+    EXPECT_THAT(messageOf([&] { evaluateAll(quantities, folder.path(), folder / "run"); }), HasSubstr("no number"));
+    quantities[0].optional = true;
+    const std::vector<double> values = evaluateAll(quantities, folder.path(), folder / "run");
+    EXPECT_TRUE(std::isnan(values[0]));
+    EXPECT_EQ(values[1], 200);
+}
+
 } // namespace isph

@@ -87,6 +87,7 @@ TEST(ReadSweep, MultipliesLinesByTheOtherParameters)
     const Sweep sweep = sweepOf(R"(
 parameters { order { values (4 6); entry system/schemes.kernel.order; } N (8 16); solver (fft CG); }
 resolution N;
+set { "system/latticeDict" { count ($N $N 1); } "system/solution" { p { solver $solver; } } }
 error { report steps; })");
     ASSERT_EQ(sweep.runs.size(), 8U);
     EXPECT_EQ(sweep.lines[0].name, "order4-solverfft");
@@ -96,8 +97,8 @@ error { report steps; })");
 
 TEST(ReadSweep, LetsAVariantHaveListsOfItsOwn)
 {
-    const Sweep sweep = sweepOf("parameters { N (8 16); }\nvariants { a { } b { parameters { N (8); } } }\n"
-                                "error { report steps; }");
+    const Sweep sweep = sweepOf("parameters { N (8 16); }\nset { \"system/a\" { b $N; } }\n"
+                                "variants { a { } b { parameters { N (8); } } }\nerror { report steps; }");
     EXPECT_THAT(foldersOf(sweep), ElementsAre("workPrecision/a/N8", "workPrecision/b/N8", "workPrecision/a/N16"));
 }
 
@@ -116,6 +117,7 @@ TEST(ReadSweep, TakesSeveralErrorsAndPictures)
 {
     const Sweep sweep = sweepOf(R"(
 parameters { N (8 16); }
+set { "system/a" { b $N; } }
 error { velocity { report errors.U.relL2; } drag { function forces; column drag; } }
 collect { solve { report seconds.poisson; per steps; } }
 plot { cost { x N; y solve; logY no; } velocity { y velocity; } })");
@@ -129,10 +131,56 @@ plot { cost { x N; y solve; logY no; } velocity { y velocity; } })");
 
 TEST(ReadSweep, NeedsNoErrorForAPictureOfCosts)
 {
-    const Sweep sweep = sweepOf("parameters { N (8 16); }\nplot { x N; y cpuTime; }");
+    const Sweep sweep = sweepOf("parameters { N { values (8 16); entry system/a.b; } }\nplot { x N; y cpuTime; }");
     EXPECT_TRUE(sweep.measures.empty());
     EXPECT_EQ(sweep.pictures.front().yLabel, "processor time [s]");
     EXPECT_THAT(refusal("parameters { N (8 16); }"), HasSubstr("error: is missing"));
+}
+
+TEST(ReadSweep, KnowsAListsSizeByItsLargestNumber)
+{
+    const Sweep sweep = sweepOf("parameters { count { values ((8 4 1) (1 16 1)); entry system/latticeDict.count; } }\n"
+                                "error { report steps; }");
+    EXPECT_EQ(sweep.runs[0].resolution, 8);
+    EXPECT_EQ(sweep.runs[1].resolution, 16);
+    EXPECT_EQ(sweep.runs[0].folder, "workPrecision/box/count_8_4_1");
+    EXPECT_EQ(setting(sweep.runs[1], "system/latticeDict", "count"), "(");
+}
+
+TEST(ReadSweep, RefusesListsThatChangeNothing)
+{
+    const std::string tail = "\nerror { report steps; }\n";
+    EXPECT_EQ(
+        refusal("parameters\n{\n    N { values (8 16); entry system/a.b; }\n    order (4 6);\n}\nresolution N;" + tail),
+        "system/workPrecisionDict:4: parameters.order: changes nothing in any run\n    say which entry it sets, "
+        "order { values (...); entry FILE.ENTRY; }, or write $order in set");
+    EXPECT_THAT(refusal("parameters { N (8 16); }\nset { \"system/a\" { b $N; } }\n"
+                        "variants { a { set { \"system/a\" { b 1; } } } }" +
+                        tail),
+                "no error"); // it is used, if in vain
+}
+
+TEST(ReadSweep, TakesResultsFromElsewhere)
+{
+    const auto read = [](const std::string& external)
+    {
+        const TemporaryFolder folder;
+        folder.write("box/validation/a.csv", "cpuTime [s],error,other\n1,0.1,3\n2,0.01,4\n");
+        folder.write("box/system/workPrecisionDict", "parameters { N { values (8 16); entry system/a.b; } }\n"
+                                                     "error { report steps; }\nexternal { a { " +
+                                                         external + " } }\n");
+        return readSweep(Case(folder / "box"), false).externals.front();
+    };
+    const External plain = read("file validation/a.csv;");
+    EXPECT_EQ(plain.title, "a");
+    EXPECT_THAT(plain.columns.at("cpuTime"), ElementsAre(1, 2));
+    EXPECT_THAT(plain.columns.at("error"), ElementsAre(0.1, 0.01));
+    EXPECT_FALSE(plain.columns.contains("other"));
+    EXPECT_THAT(read("file validation/a.csv; columns { cpuTime cpuTime; error other; }").columns.at("error"),
+                ElementsAre(3, 4));
+    EXPECT_THAT(messageOf([&] { read("file validation/a.csv; columns { steps other; }"); }),
+                HasSubstr("external.a.columns: gives no picture both its columns, e.g. cpuTime and error"));
+    EXPECT_THAT(messageOf([&] { read("file b.csv;"); }), HasSubstr("external.a.file: there is no b.csv"));
 }
 
 TEST(ReadSweep, RefusesWithLineAndAdvice)

@@ -50,7 +50,8 @@ void Results::collect(std::size_t run, const fs::path& caseDirectory)
     const RunRecord& record = records_[run];
     for (std::size_t i = 0; i < sweep_.parameters.size(); ++i)
     {
-        columns_[sweep_.parameters[i].name][run] = numberFrom(made.values[i]).value_or(none);
+        columns_[sweep_.parameters[i].name][run] =
+            i == sweep_.resolution ? made.resolution : numberFrom(made.values[i]).value_or(none);
     }
     if (record.status == RunStatus::missing) { return; }
     columns_["cpuTime"][run] = record.cpuTime();
@@ -107,7 +108,7 @@ std::optional<Slope> Results::order(std::size_t line, const std::string& measure
     std::optional<Slope> growth = fitSlope(resolution, work);
     if (!growth) { growth = fitSlope(resolution, steps); }
     if (!growth) { growth = fitSlope(resolution, along(line, "cpuTime")); }
-    if (!growth || growth->slope >= 0) { fit->slope = -fit->slope; }
+    if (!growth || growth->slope >= 0) { fit->slope = 0 - fit->slope; }
     return fit;
 }
 

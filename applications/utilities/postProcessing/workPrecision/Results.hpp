@@ -43,6 +43,9 @@ private:
     std::map<std::string, std::vector<double>> columns_;
 };
 
+/// A slope or an order for people: "3.96", and never "-0.00".
+std::string slopeText(double slope);
+
 /// The files workPrecision.csv, slopes.csv and cheapest.csv.
 /// \throws Error(input) if the machine refuses.
 void writeTables(const Results& results, const std::filesystem::path& folder);

@@ -58,7 +58,8 @@ struct Quantity
     bool overFirst = false;          ///< divide by the first row
     std::optional<double> reference; ///< relative difference to it
     std::optional<Profile> profile;
-    std::string per; ///< key of the report to divide by
+    std::string per;       ///< key of the report to divide by
+    bool optional = false; ///< not-a-number where a run has no such number
     std::string label;
     Origin origin;
 };
@@ -120,6 +121,10 @@ struct Picture
     bool logY = true;
     Origin origin;
 };
+
+/// The number that a value of the resolution stands for: itself, or the largest of a list, "(40 20 1)"; none if it is
+/// no number.
+std::optional<double> resolutionValue(const std::string& value);
 
 /// A whole sweep, as system/workPrecisionDict describes it.
 struct Sweep

@@ -5,6 +5,7 @@
 #include "dictionary/TextSpan.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <fmt/format.h>
 #include <utility>
 
@@ -134,6 +135,22 @@ SweepText::SweepText(const std::filesystem::path& file, std::string shownAs, boo
     const Dictionary dictionary = Dictionary::parse(head, shownAs_, folder_);
     parameters_ = readParameters(dictionary.dictionary("parameters"));
     if (parameters_.empty()) { throw dictionary.error("parameters", "is empty", "write parameters { N (20 40 80); }"); }
+}
+
+bool SweepText::uses(const std::string& name) const
+{
+    for (const char* before : {"$", "${", "$:", "${:", "$.", "$.."})
+    {
+        for (std::size_t at = text_.find(before + name); at != std::string::npos;
+             at = text_.find(before + name, at + 1))
+        {
+            const std::size_t end = at + std::string_view(before).size() + name.size();
+            const bool longer =
+                end < text_.size() && (std::isalnum(static_cast<unsigned char>(text_[end])) != 0 || text_[end] == '_');
+            if (!longer) { return true; }
+        }
+    }
+    return false;
 }
 
 Dictionary SweepText::with(const std::vector<std::string>& values) const

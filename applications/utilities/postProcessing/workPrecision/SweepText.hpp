@@ -21,6 +21,9 @@ public:
     /// replaced, one that is missing is put in front of everything.
     Dictionary with(const std::vector<std::string>& values) const;
 
+    /// Whether the text has a macro of this name: $N, ${N}.
+    bool uses(const std::string& name) const;
+
 private:
     std::string text_;
     std::string shownAs_;

@@ -74,6 +74,12 @@ std::optional<CostOf> costOf(const CostCurve& curve, double error)
     std::optional<std::size_t> before;
     for (std::size_t i = 0; i < curve.cost.size(); ++i)
     {
+        if (curve.error[i] == 0 && counts(curve.cost[i], error))
+        {
+            take(curve.cost[i], curve.cost[i] <= least); // whatever is asked, but there is no line to it
+            before.reset();
+            continue;
+        }
         if (!counts(curve.cost[i], curve.error[i])) { continue; }
         const double now = std::log(curve.error[i] / error);
         if (now <= 0) { take(curve.cost[i], curve.cost[i] == least && now < 0); }

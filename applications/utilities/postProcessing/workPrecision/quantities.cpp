@@ -240,7 +240,18 @@ std::vector<double> evaluateAll(const std::vector<Quantity>& quantities, const f
                                 const fs::path& folder)
 {
     std::vector<double> values;
-    for (const Quantity& quantity : quantities) { values.push_back(evaluate(quantity, caseDirectory, folder)); }
+    for (const Quantity& quantity : quantities)
+    {
+        try
+        {
+            values.push_back(evaluate(quantity, caseDirectory, folder));
+        }
+        catch (const Error&)
+        {
+            if (!quantity.optional) { throw; }
+            values.push_back(none);
+        }
+    }
     for (std::size_t i = 0; i < quantities.size(); ++i)
     {
         if (quantities[i].others.empty()) { continue; }

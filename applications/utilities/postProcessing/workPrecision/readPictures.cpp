@@ -64,6 +64,21 @@ Picture readPicture(const std::string& name, const Dictionary& written, const Sw
     return picture;
 }
 
+void readColumns(const Dictionary& columns, const CsvTable& table, const std::vector<std::string>& known,
+                 External& external)
+{
+    for (const Entry& column : columns.entries())
+    {
+        const std::string& ours = column.keyword();
+        if (std::ranges::find(known, ours) == known.end())
+        {
+            throw Error(Fault::input, column.origin(), "is no column of the table",
+                        fmt::format("known are: {}", listOfWords(ours, known)));
+        }
+        external.columns[ours] = table.column(columns.text(ours), column.origin());
+    }
+}
+
 } // namespace
 
 void readPictures(const Dictionary& dictionary, Sweep& sweep)
@@ -103,18 +118,31 @@ void readExternals(const Case& theCase, const Dictionary& dictionary, Sweep& swe
     {
         const Dictionary& series = entry.dictionary();
         const std::string file = series.text("file");
-        if (!theCase.has(file)) { throw series.error("file", fmt::format("there is no {}", file)); }
+        if (!theCase.has(file))
+        {
+            throw series.error("file", fmt::format("there is no {}", file), "write the way to it from the case");
+        }
         const CsvTable table(theCase.path(file), file);
         External external{entry.keyword(), series.has("title") ? series.text("title") : entry.keyword(), {}};
-        for (const Entry& column : series.dictionary("columns").entries())
+        if (series.hasDictionary("columns")) { readColumns(series.dictionary("columns"), table, known, external); }
+        else
         {
-            const std::string& ours = column.keyword();
-            if (std::ranges::find(known, ours) == known.end())
+            for (const std::string& name : known)
             {
-                throw Error(Fault::input, column.origin(), "is no column of the table",
-                            fmt::format("known are: {}", listOfWords(ours, known)));
+                const bool there = std::ranges::find(table.names(), name) != table.names().end();
+                if (there) { external.columns[name] = table.column(name, series.origin()); }
             }
-            external.columns[ours] = table.column(series.dictionary("columns").text(ours), column.origin());
+        }
+        const auto shows = [&external](const Picture& picture)
+        { return external.columns.contains(picture.x) && external.columns.contains(picture.y); };
+        if (std::ranges::none_of(sweep.pictures, shows))
+        {
+            const Picture& picture = sweep.pictures.front();
+            throw series.error(
+                series.has("columns") ? "columns" : "file",
+                fmt::format("gives no picture both its columns, e.g. {} and {}", picture.x, picture.y),
+                fmt::format("write columns {{ {} ...; {} ...; }} (our name, column of the file); it has: {}", picture.x,
+                            picture.y, fmt::join(table.names(), ", ")));
         }
         sweep.externals.push_back(std::move(external));
     }

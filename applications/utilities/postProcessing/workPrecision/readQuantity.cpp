@@ -93,6 +93,7 @@ Quantity readQuantity(const std::string& name, const Dictionary& written)
     if (dictionary.has("to")) { quantity.end = dictionary.number("to"); }
     quantity.overFirst = dictionary.flag("overFirst");
     quantity.per = textOr(dictionary, "per", "");
+    quantity.optional = dictionary.flag("optional");
     const bool named = dictionary.has("reference") && !scalarValue(*dictionary.find("reference"));
     if (quantity.source == Quantity::Source::line && named) { quantity.profile = readProfile(dictionary); }
     else if (dictionary.has("reference"))

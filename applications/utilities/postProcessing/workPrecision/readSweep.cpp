@@ -3,12 +3,14 @@
 #include "core/Selection.hpp"
 #include "csvTable.hpp"
 #include "dictionary/Lexer.hpp"
+#include "dictionary/writeDictionary.hpp"
 #include "quantities.hpp"
 #include "SweepText.hpp"
 #include "workPrecisionSchema.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <set>
 #include <utility>
 
 namespace isph
@@ -56,9 +58,9 @@ std::size_t resolutionOf(const Dictionary& dictionary, const std::vector<Paramet
     return static_cast<std::size_t>(found - names.begin());
 }
 
-double resolutionValue(const Parameter& parameter, const std::string& value)
+double resolutionOf(const Parameter& parameter, const std::string& value)
 {
-    const std::optional<double> number = numberFrom(value);
+    const std::optional<double> number = resolutionValue(value);
     if (!number || *number <= 0)
     {
         throw Error(Fault::input, parameter.origin,
@@ -142,7 +144,9 @@ void setDirectly(const Parameter& parameter, const std::string& value, Dictionar
         closing += " }";
         begin = end + 1;
     }
-    merge(settings, Dictionary::parse(fmt::format("{} {};{}", text, value, closing), shownAs, ""));
+    // On its line, for messages.
+    const std::string above(static_cast<std::size_t>(std::max(parameter.origin.line - 1, 0)), '\n');
+    merge(settings, Dictionary::parse(fmt::format("{}{} {};{}", above, text, value, closing), shownAs, ""));
 }
 
 /// The quantities of `error`, then those of `collect`.
@@ -151,6 +155,12 @@ std::vector<Quantity> quantitiesOf(const Dictionary& dictionary, Sweep& sweep)
     std::vector<Quantity> quantities;
     if (dictionary.has("error"))
     {
+        if (!dictionary.hasDictionary("error"))
+        {
+            throw dictionary.error("error",
+                                   fmt::format("is {} but must be a dictionary", shownValue(*dictionary.find("error"))),
+                                   "write error { report errors.U.relL2; }, say");
+        }
         const Dictionary& error = dictionary.dictionary("error");
         const bool named = !error.entries().empty() &&
                            std::ranges::all_of(error.entries(), [](const Entry& e) { return e.isDictionary(); });
@@ -217,16 +227,58 @@ public:
     void addVariant(const std::string& name, const Dictionary& variant)
     {
         const std::vector<Parameter> lists = listsOf(variant, sweep_.parameters);
+        const std::size_t first = sweep_.runs.size();
         for (const std::vector<std::string>& values : combinations(lists)) { addRun(name, variant, lists, values); }
+        for (std::size_t i = 0; i < lists.size(); ++i)
+        {
+            if (lists[i].values.size() == 1) { continue; }
+            varied_.insert(lists[i].name);
+            if (acts(i, first)) { acting_.insert(lists[i].name); }
+        }
+    }
+
+    /// A list whose values change nothing is a slip: the same run, many times.
+    void refuseIdleParameters() const
+    {
+        for (const Parameter& parameter : sweep_.parameters)
+        {
+            const bool idle = varied_.contains(parameter.name) && !acting_.contains(parameter.name);
+            if (!idle || text_.uses(parameter.name)) { continue; }
+            throw Error(
+                Fault::input, parameter.origin, "changes nothing in any run",
+                fmt::format("say which entry it sets, {0} {{ values (...); entry FILE.ENTRY; }}, or write ${0} in set",
+                            parameter.name));
+        }
     }
 
 private:
+    /// Whether two runs from the given one on that differ in one parameter only have other entries.
+    bool acts(std::size_t parameter, std::size_t first) const
+    {
+        const Run& run = sweep_.runs[first];
+        for (std::size_t i = first + 1; i < sweep_.runs.size(); ++i)
+        {
+            const Run& other = sweep_.runs[i];
+            bool alone = other.values[parameter] != run.values[parameter];
+            for (std::size_t k = 0; k < run.values.size(); ++k)
+            {
+                alone = alone && (k == parameter || other.values[k] == run.values[k]);
+            }
+            if (alone && (dictionaryText(other.settings) != dictionaryText(run.settings) ||
+                          dictionaryText(other.replacements) != dictionaryText(run.replacements)))
+            {
+                return true;
+            }
+        }
+        return false;
+    }
+
     void addRun(const std::string& name, const Dictionary& variant, const std::vector<Parameter>& lists,
                 const std::vector<std::string>& values)
     {
         Run run;
         run.values = values;
-        run.resolution = resolutionValue(lists[sweep_.resolution], values[sweep_.resolution]);
+        run.resolution = resolutionOf(lists[sweep_.resolution], values[sweep_.resolution]);
         const Dictionary dictionary = workPrecisionSchema().complete(text_.with(values));
         const Dictionary& own = name.empty() ? variant : dictionary.dictionary("variants").dictionary(name);
         if (dictionary.hasDictionary("set")) { run.settings = dictionary.dictionary("set"); }
@@ -276,12 +328,24 @@ private:
     const Case& theCase_;
     const SweepText& text_;
     Sweep& sweep_;
+    std::set<std::string> varied_;
+    std::set<std::string> acting_;
 };
 
 void readGeneral(const Case& theCase, const Dictionary& dictionary, Sweep& sweep)
 {
     sweep.title = dictionary.has("title") ? dictionary.text("title") : theCase.name();
     sweep.baseCase = (theCase.directory() / dictionary.text("baseCase")).lexically_normal();
+    try
+    {
+        static_cast<void>(Case(sweep.baseCase));
+    }
+    catch (const Error& error)
+    {
+        throw dictionary.error("baseCase",
+                               fmt::format("is {}: {}", dictionary.text("baseCase"), error.complaints().front().what),
+                               "write the way to it from this case");
+    }
     sweep.commands = textsOf(dictionary, "commands");
     sweep.after = textsOf(dictionary, "after");
     if (sweep.commands.empty())
@@ -295,6 +359,21 @@ void readGeneral(const Case& theCase, const Dictionary& dictionary, Sweep& sweep
 }
 
 } // namespace
+
+std::optional<double> resolutionValue(const std::string& value)
+{
+    if (!value.starts_with('(')) { return numberFrom(value); }
+    std::optional<double> largest;
+    for (std::size_t begin = 1; begin < value.size();)
+    {
+        const std::size_t end = std::min(value.find_first_of(" \t()", begin), value.size());
+        const std::optional<double> number = numberFrom(value.substr(begin, end - begin));
+        if (number) { largest = std::max(*number, largest.value_or(*number)); }
+        else if (end > begin) { return std::nullopt; }
+        begin = end + 1;
+    }
+    return largest;
+}
 
 Sweep readSweep(const Case& theCase, bool reduced)
 {
@@ -322,6 +401,7 @@ Sweep readSweep(const Case& theCase, bool reduced)
             reader.addVariant(entry.keyword(), entry.dictionary());
         }
     }
+    reader.refuseIdleParameters();
     std::ranges::stable_sort(sweep.runs, {},
                              [&sweep](const Run& run)
                              {

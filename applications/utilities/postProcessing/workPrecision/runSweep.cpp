@@ -54,19 +54,6 @@ std::deque<Task> tasksOf(const Sweep& sweep, const std::vector<RunRecord>& recor
     return tasks;
 }
 
-/// A second sweep of the same case would make the same folders.
-FileDescriptor lockSweep(const fs::path& folder)
-{
-    makeFolder(folder);
-    FileDescriptor lock(folder / ".lock", O_RDWR | O_CREAT);
-    if (flock(lock.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-    {
-        throw Error(Fault::input, {folder.string(), 0, ""}, "another sweep of this case is running",
-                    "wait for it or stop it");
-    }
-    return lock;
-}
-
 std::string label(const Sweep& sweep, const Run& run)
 {
     return fmt::format("{}, {} {}", sweep.lines[run.line].title, sweep.resolutionName(), run.values[sweep.resolution]);
@@ -91,6 +78,9 @@ public:
     void run()
     {
         catchSignals();
+        const auto there = std::ranges::count_if(records_, [](const RunRecord& record)
+                                                 { return record.status != RunStatus::missing; });
+        if (there > 0) { log_.line(fmt::format("{} of {} runs are there already", there, records_.size())); }
         double shown = -refreshSeconds;
         while (!tasks_.empty() || !jobs_.empty())
         {
@@ -223,6 +213,18 @@ private:
 };
 
 } // namespace
+
+FileDescriptor lockSweep(const fs::path& folder)
+{
+    makeFolder(folder);
+    FileDescriptor lock(folder / ".lock", O_RDWR | O_CREAT);
+    if (flock(lock.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    {
+        throw Error(Fault::input, {folder.string(), 0, ""}, "another sweep of this case is running",
+                    "wait for it or stop it");
+    }
+    return lock;
+}
 
 std::vector<RunRecord> knownRecords(const Sweep& sweep, const fs::path& caseDirectory)
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/FileDescriptor.hpp"
 #include "core/Log.hpp"
 #include "RunRecord.hpp"
 #include "Sweep.hpp"
@@ -10,6 +11,10 @@ namespace isph
 /// What is known of every run of a sweep, made anew or found on disk; status `missing` where there is none that counts:
 /// one that was made from other settings, was stopped at a shorter limit of time, or failed.
 std::vector<RunRecord> knownRecords(const Sweep& sweep, const std::filesystem::path& caseDirectory);
+
+/// Held by who makes or removes the runs of a case, as a second one would in the same folders.
+/// \throws Error(input) if another sweep of the case is running.
+FileDescriptor lockSweep(const std::filesystem::path& folder);
 
 /// Makes the runs that are missing, and the repetitions that are. Progress goes to the log.
 /// \throws Error(input) if another sweep of the case is running, or a quantity cannot be got from the first run

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <optional>
 
 using namespace isph;
 namespace fs = std::filesystem;
@@ -51,14 +52,15 @@ static void checkPrograms(const Sweep& sweep)
 
 static void checkSweep(const Sweep& sweep)
 {
-    static_cast<void>(Case(sweep.baseCase));
     checkPrograms(sweep);
     for (const Run& run : sweep.runs) { checkRun(run, sweep); }
 }
 
 static void printPlan(const Sweep& sweep, const std::vector<RunRecord>& records, Log& log)
 {
-    log.line(fmt::format("{} runs, {} lines", sweep.runs.size(), sweep.lines.size()));
+    const auto counted = [](std::size_t count, const char* what)
+    { return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s"); };
+    log.line(counted(sweep.runs.size(), "run") + ", " + counted(sweep.lines.size(), "line"));
     for (std::size_t i = 0; i < sweep.runs.size(); ++i)
     {
         const RunRecord& record = records[i];
@@ -67,7 +69,8 @@ static void printPlan(const Sweep& sweep, const std::vector<RunRecord>& records,
         log.line(fmt::format("    {:<48} {}", sweep.runs[i].folder.string(), state));
     }
     const double left = secondsLeft(sweep, records);
-    if (left >= 0) { log.line(fmt::format("about {} to run", durationText(left / sweep.jobs))); }
+    if (left == 0) { log.line("nothing left to run"); }
+    else if (left > 0) { log.line(fmt::format("about {} to run", durationText(left / sweep.jobs))); }
 }
 
 static void report(const Results& results, const std::string& command, const fs::path& caseDirectory, Log& log)
@@ -84,17 +87,17 @@ static void report(const Results& results, const std::string& command, const fs:
         log.line("Cheapest for each error, between the runs along straight lines");
         log.line(text);
     }
-    const bool drawn = writePictures(results, folder);
+    const Drawing drawing = writePictures(results, folder);
     log.line(fmt::format("Wrote {}: workPrecision.csv, slopes.csv, cheapest.csv", folder.string()));
-    if (!drawn) { log.line("    no pictures: gnuplot is not installed (Debian package gnuplot-nox)"); }
-    for (const Picture& picture : results.sweep().pictures)
-    {
-        if (drawn) { log.line(fmt::format("    {0}.svg, {0}.png", picture.name)); }
-    }
+    if (!drawing.gnuplot) { log.line("    no pictures: gnuplot is not installed (Debian package gnuplot-nox)"); }
+    for (const std::string& name : drawing.drawn) { log.line(fmt::format("    {0}.svg, {0}.png", name)); }
+    for (const std::string& name : drawing.empty) { log.line(fmt::format("    no {}.svg: nothing to draw", name)); }
 }
 
 static void clean(const Case& theCase, Log& log)
 {
+    std::optional<FileDescriptor> lock;
+    if (theCase.has("workPrecision")) { lock.emplace(lockSweep(theCase.path("workPrecision"))); }
     for (const char* name : {"workPrecision", "postProcessing/workPrecision"})
     {
         std::error_code error;

@@ -93,8 +93,7 @@ std::vector<Key> sweepKeys()
                             {.name = "title", .type = Type::text},
                             {.name = "columns",
                              .type = Type::dictionary,
-                             .meaning = "our name -> column of the file",
-                             .required = true,
+                             .meaning = "our name -> column of the file; those of the same names if left out",
                              .keys = {{.name = "*", .type = Type::text}}}}}}},
         {.name = "reduced", .meaning = "laid over all of this by -reduced"},
     };
@@ -138,6 +137,10 @@ const Schema& quantitySchema()
              .words = {"max", "rms"}},
             {.name = "per", .type = Type::text, .meaning = "divide by this number of report.json"},
             {.name = "title", .type = Type::text, .meaning = "at the axis of the picture"},
+            {.name = "optional",
+             .type = Type::flag,
+             .fallback = "no",
+             .meaning = "yes: left empty for a run that has no such number"},
         });
     return schema;
 }

@@ -42,7 +42,10 @@ std::string quoted(std::string text)
 
 bool drawn(double x, double y, const Picture& picture)
 {
-    return std::isfinite(x) && std::isfinite(y) && (x > 0 || !picture.logX) && (y > 0 || !picture.logY);
+    // A logarithmic axis has room for what margins do not bring out of the range of numbers.
+    const auto fits = [](double value, bool logarithmic)
+    { return std::isfinite(value) && (!logarithmic || (value > 1e-250 && value < 1e250)); };
+    return fits(x, picture.logX) && fits(y, picture.logY);
 }
 
 std::string legend(const Results& results, const Picture& picture, std::size_t line)
@@ -52,7 +55,7 @@ std::string legend(const Results& results, const Picture& picture, std::size_t l
     std::string title = sweep.lines[line].title;
     if (!picture.logX || !picture.logY) { return title; }
     const auto fit = measure ? results.order(line, picture.y) : results.slope(line, picture.x, picture.y);
-    if (fit) { title += fmt::format(" ({} {:.2f})", measure ? "order" : "slope", fit->slope); }
+    if (fit) { title += fmt::format(" ({} {})", measure ? "order" : "slope", slopeText(fit->slope)); }
     return title;
 }
 
@@ -183,7 +186,7 @@ std::string pictureScript(const Results& results, const Picture& picture)
         std::vector<std::string> tics;
         for (const std::string& value : results.sweep().parameters[results.sweep().resolution].values)
         {
-            tics.push_back(fmt::format("'{0}' {0}", value));
+            tics.push_back(fmt::format("'{0}' {0}", numberText(resolutionValue(value).value_or(1))));
         }
         text += fmt::format("set xtics ({})\nunset mxtics\n", fmt::join(tics, ", "));
     }
@@ -193,16 +196,23 @@ std::string pictureScript(const Results& results, const Picture& picture)
         text += fmt::format("set terminal {} enhanced size 1000,{} font 'sans,13'\nset output {}\n",
                             kind == std::string("png") ? "pngcairo" : "svg background 'white'", 560 + 24 * rows,
                             quoted(fmt::format("{}.{}", picture.name, kind)));
-        text += curves.empty() ? "" : fmt::format("plot {}\n", fmt::join(curves, ", \\\n     "));
+        text += fmt::format("plot {}\n", fmt::join(curves, ", \\\n     "));
     }
     return text;
 }
 
-bool writePictures(const Results& results, const fs::path& folder)
+Drawing writePictures(const Results& results, const fs::path& folder)
 {
     const fs::path gnuplot = findProgram("gnuplot");
+    Drawing drawing{.gnuplot = !gnuplot.empty(), .drawn = {}, .empty = {}};
     for (const Picture& picture : results.sweep().pictures)
     {
+        if (seriesOf(results, picture).empty())
+        {
+            for (const char* kind : {".gp", ".svg", ".png"}) { fs::remove(folder / (picture.name + kind)); }
+            drawing.empty.push_back(picture.name);
+            continue;
+        }
         const fs::path script = folder / (picture.name + ".gp");
         writeTextFile(script, pictureScript(results, picture));
         if (gnuplot.empty()) { continue; }
@@ -220,8 +230,9 @@ bool writePictures(const Results& results, const fs::path& folder)
                         fmt::format("gnuplot failed with exit code {}", child.exitCode()), first);
         }
         fs::remove(log);
+        drawing.drawn.push_back(picture.name);
     }
-    return !gnuplot.empty();
+    return drawing;
 }
 
 } // namespace isph

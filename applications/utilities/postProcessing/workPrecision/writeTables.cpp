@@ -135,6 +135,12 @@ std::string shown(double value, const char* format)
 
 } // namespace
 
+std::string slopeText(double slope)
+{
+    std::string text = fmt::format("{:.2f}", slope);
+    return text == "-0.00" ? "0.00" : text;
+}
+
 void writeTables(const Results& results, const std::filesystem::path& folder)
 {
     writeTextFile(folder / "workPrecision.csv", runTable(results));
@@ -165,13 +171,25 @@ std::string runsText(const Results& results)
             row.push_back(shown(results.column("peakMemory")[run] / 1e6, "{:.3g}"));
             row.push_back(shown(results.column("steps")[run], "{:.0f}"));
             rows.push_back(std::move(row));
-            if (record.status == RunStatus::done) { continue; }
-            failures += fmt::format("    {}, {} {}: {}\n", sweep.lines[line].title, sweep.resolutionName(),
-                                    sweep.runs[run].values[sweep.resolution],
-                                    record.status == RunStatus::missing ? "has not been made" : record.message);
+            const auto complain = [&](const std::string& what)
+            {
+                failures += fmt::format("    {}, {} {}: {}\n", sweep.lines[line].title, sweep.resolutionName(),
+                                        sweep.runs[run].values[sweep.resolution], what);
+            };
+            if (record.status != RunStatus::done)
+            {
+                complain(record.status == RunStatus::missing ? "has not been made" : record.message);
+                continue;
+            }
+            for (const std::string& name : sweep.measures)
+            {
+                const double value = results.column(name)[run];
+                if (!std::isfinite(value)) { complain(name + " is no number"); }
+                else if (value <= 0) { complain(fmt::format("{} is {:g}, which has no logarithm", name, value)); }
+            }
         }
     }
-    return aligned(rows) + (failures.empty() ? "" : fmt::format("\nWithout a result\n{}", failures));
+    return aligned(rows) + (failures.empty() ? "" : fmt::format("\nLeft out of fits and pictures\n{}", failures));
 }
 
 std::string slopesText(const Results& results)
@@ -188,7 +206,7 @@ std::string slopesText(const Results& results)
     {
         rows[0].push_back(fmt::format("slope of {} in {}", picture->y, picture->x));
     }
-    const auto text = [](const std::optional<Slope>& fit) { return fit ? fmt::format("{:.2f}", fit->slope) : "-"; };
+    const auto text = [](const std::optional<Slope>& fit) { return fit ? slopeText(fit->slope) : "-"; };
     for (std::size_t line = 0; line < sweep.lines.size(); ++line)
     {
         std::vector<std::string> row{sweep.lines[line].title};
