@@ -348,6 +348,10 @@ external { other { file "validation/other.csv"; title "another code"; columns { 
         self.assertIn("no pictures: gnuplot is not installed", said)
         self.assertEqual(len(table(case)), 6)
         self.assertFalse(os.path.exists(case.path("postProcessing/workPrecision/workPrecision.png")))
+        published = subprocess.run([program("publishResults"), "-to", case.path("pages"), case.dir], text=True,
+                                   capture_output=True, check=False)
+        self.assertEqual(published.returncode, 0, published.stderr)
+        self.assertNotIn("![", case.text("pages/fake.md") + case.text("pages/README.md"))
 
     def test_wrong_options(self):
         case = self.fake()
