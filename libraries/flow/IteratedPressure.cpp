@@ -70,7 +70,8 @@ double iterationMemory(const Lattice& lattice, std::size_t neighbours, PressureS
     // of the step before, and in the file.
     const double vectors =
         (solver == PressureSolver::cg ? 8.5 : 11.5) + 3 * static_cast<double>(scheme.substeps.size());
-    return morrisSystemBytes(lattice, neighbours) + 8 * vectors * static_cast<double>(lattice.points());
+    return morrisSystemBytes(lattice, neighbours) + mirrorDataBytes(lattice, neighbours) +
+           8 * vectors * static_cast<double>(lattice.points());
 }
 
 } // namespace isph

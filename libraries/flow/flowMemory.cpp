@@ -103,13 +103,11 @@ double extendedBoxes(const Lattice& lattice, const FlowSettings& settings)
 double morrisMemory(const Lattice& lattice, const FlowSettings& settings)
 {
     const KernelSettings& kernel = settings.kernel;
-    if (settings.iteration)
-    {
-        const std::size_t neighbours = latticeStencil(lattice, kernel.smoothingLength, kernel.supportRadius).size();
-        return iterationMemory(lattice, neighbours, settings.iteration->solver, *settings.time);
-    }
     const bool table = settings.eigenvalues == Eigenvalues::morris && !lattice.periodic() && !settings.directPressure;
-    return table ? 24 * static_cast<double>(lattice.points()) : 0;
+    if (!settings.iteration && !table) { return 0; }
+    const std::size_t neighbours = latticeStencil(lattice, kernel.smoothingLength, kernel.supportRadius).size();
+    if (settings.iteration) { return iterationMemory(lattice, neighbours, settings.iteration->solver, *settings.time); }
+    return 24 * static_cast<double>(lattice.points()) + mirrorDataBytes(lattice, neighbours);
 }
 
 } // namespace

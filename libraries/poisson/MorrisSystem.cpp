@@ -17,6 +17,8 @@ namespace
 
 using Place = std::array<int, 3>;
 
+constexpr double entryBytes = 12; ///< a value and a column
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The entries of one row, gathered one by one and sorted at its end.
@@ -125,6 +127,7 @@ int reachOf(const KernelSamples& samples)
     return reach;
 }
 
+/// Points of all faces that are walls.
 std::size_t facesOf(const Lattice& lattice)
 {
     std::size_t points = 0;
@@ -136,11 +139,16 @@ std::size_t facesOf(const Lattice& lattice)
     return points;
 }
 
+/// Points whose neighbours lie beyond a point of a face, at most: as many as a kernel has neighbours on one side.
+std::size_t dataEntries(const Lattice& lattice, std::size_t neighbours) { return facesOf(lattice) * (neighbours / 2); }
+
 } // namespace
 
 MirrorData::Assembly::Assembly(MirrorData& target, const Lattice& lattice, const KernelSamples& samples,
                                const std::array<AxisEnds, 3>& ends, bool withMatrix)
-    : system(target), reach(reachOf(samples)), data(facesOf(lattice), lattice.points(), 0)
+    : system(target),
+      reach(reachOf(samples)),
+      data(facesOf(lattice), lattice.points(), dataEntries(lattice, samples.offsets.size()))
 {
     if (withMatrix)
     {
@@ -364,8 +372,12 @@ void requireCountable(const Lattice& lattice, const KernelSamples& samples)
 
 double morrisSystemBytes(const Lattice& lattice, std::size_t neighbours)
 {
-    // A value and a column an entry.
-    return 12.0 * static_cast<double>(lattice.points()) * static_cast<double>(neighbours);
+    return entryBytes * static_cast<double>(lattice.points()) * static_cast<double>(neighbours);
+}
+
+double mirrorDataBytes(const Lattice& lattice, std::size_t neighbours)
+{
+    return entryBytes * static_cast<double>(dataEntries(lattice, neighbours));
 }
 
 } // namespace isph

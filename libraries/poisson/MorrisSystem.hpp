@@ -87,4 +87,8 @@ void requireCountable(const Lattice& lattice, const KernelSamples& samples);
 /// Bytes of the matrix, at most.
 double morrisSystemBytes(const Lattice& lattice, std::size_t neighbours);
 
+/// Bytes of what carries the data of walls to the points they reach (MirrorData), at most where supports fit into the
+/// box.
+double mirrorDataBytes(const Lattice& lattice, std::size_t neighbours);
+
 } // namespace isph

@@ -4,7 +4,8 @@ import os
 import re
 import unittest
 
-from cases import CaseTest, run
+from cases import CaseTest, header, run
+from tutorials import Tutorial
 
 KERNEL = ("kernel { type gaussian; order 4; smoothingLength 2; symbol sampled; supportRadius 4; }\n"
           "dealiasing none; meanFlow none; convection advective; viscous explicit;\n")
@@ -162,6 +163,20 @@ patches
                 largest = max(abs(x - y) for x, y in zip(a, b))
                 self.assertLessEqual(largest, 1e-8)
                 self.assertGreater(max(a), 0.1)
+
+    def test_checkCase_knows_what_mirrored_walls_need(self):
+        case = Tutorial("ductFlow3D")
+        self.addCleanup(case.remove)
+        case.set("system/latticeDict", "intervals", "(20 32 32)")
+        case.put("system/schemes", header("schemes") + "kernel { type gaussian; order 4; smoothingLength 2; symbol sampled; "
+                 "supportRadius 4; }\ncontinuation { type mirror; }\nviscous explicit;\n")
+        case.put("system/solution", header("solution") + "p { solver fft; eigenvalues morris; }\n")
+        case.set("system/controlDict", "endTime", "0.001")
+        case.set("system/controlDict", "deltaT", "0.001")
+        self.succeeds(case, "makeLattice")
+        memory = json.loads(self.succeeds(case, "checkCase", "-json").stdout)["memory"]
+        self.succeeds(case, "isphFoam")
+        self.assertAlmostEqual(case.report()["peakMemory"] / memory, 1, delta=0.25)
 
     def test_says_when_the_continuation_does_not_mirror(self):
         case = self.lid("", "solver CG; maxIter 5;", "collocated")
