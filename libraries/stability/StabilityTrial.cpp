@@ -62,12 +62,22 @@ NoiseHistory marchNoise(const TimeScheme& scheme, IncompressibleFlow& flow, Inco
     NoiseHistory history{.times = {0}, .amplitudes = {amplitude()}, .steps = {0}};
     const int between = std::max(1, steps / amplitudesTaken);
     double t = start;
+    const auto take = [&]
+    {
+        const double reached = amplitude();
+        history.finite = std::isfinite(reached);
+        if (!history.finite) { return; }
+        history.times.push_back(t - start);
+        history.steps.push_back(history.made);
+        history.amplitudes.push_back(reached);
+    };
     while (history.made < steps)
     {
         const double dt = step();
-        if (!std::isfinite(dt))
+        if (!std::isfinite(dt)) // nothing limits the step of a flow that has come to rest
         {
             history.finite = !std::isnan(dt);
+            if (history.finite && history.steps.back() != history.made) { take(); }
             break;
         }
         if (history.made == 0) { history.dt = dt; }
@@ -75,13 +85,8 @@ NoiseHistory marchNoise(const TimeScheme& scheme, IncompressibleFlow& flow, Inco
         if (calm != nullptr) { advance(scheme, *calm, t, dt); }
         t += dt;
         if (++history.made % between != 0) { continue; }
-        const double reached = amplitude();
-        history.finite = std::isfinite(reached);
-        if (!history.finite) { break; }
-        history.times.push_back(t - start);
-        history.steps.push_back(history.made);
-        history.amplitudes.push_back(reached);
-        if (reached > beyondDoubt * history.amplitudes.front()) { break; }
+        take();
+        if (!history.finite || history.amplitudes.back() > beyondDoubt * history.amplitudes.front()) { break; }
     }
     return history;
 }

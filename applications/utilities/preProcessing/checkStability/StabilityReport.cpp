@@ -111,7 +111,7 @@ void printPrediction(const StabilityReport& report, Log& log)
     for (const OperatorSpectrum& spectrum : report.spectra)
     {
         log.line(fmt::format("    {:<18} radius {:<8.4g} largest real part {:<10.2g} {}", spectrum.name,
-                             spectrum.radius, spectrum.count > 0 ? spectrum.growth : 0.0, spectrum.words));
+                             spectrum.radius, spectrum.count > 0 ? spectrum.growth + 0.0 : 0.0, spectrum.words));
     }
     if (report.growthAtRest)
     {
@@ -138,7 +138,7 @@ void printPrediction(const StabilityReport& report, Log& log)
         log.line(fmt::format("    {:<18} {:.4g} (nu dt/dx^2)", "viscous number", *report.numbers.viscous));
     }
     log.line();
-    log.line("Trials");
+    log.line(report.tried ? "Trials" : "Steps");
 }
 
 void printTrial(const TrialSummary& trial, Log& log)
@@ -150,7 +150,7 @@ void printTrial(const TrialSummary& trial, Log& log)
         if (trial.limitOfModes)
         {
             text += std::isfinite(*trial.limitOfModes)
-                        ? fmt::format("; the modes bear {:.4g} of it", *trial.limitOfModes / trial.limit)
+                        ? fmt::format("; the modes bear {:.4g} times that", *trial.limitOfModes / trial.limit)
                         : "; the modes bear any step";
         }
         log.line(text);
