@@ -353,6 +353,28 @@ external { other { file "validation/other.csv"; title "another code"; columns { 
         self.assertEqual(published.returncode, 0, published.stderr)
         self.assertNotIn("![", case.text("pages/fake.md") + case.text("pages/README.md"))
 
+    def test_a_page_of_any_name(self):
+        case = self.fake('title "a \\"quoted\\" title";\n' + DICTIONARY)
+        self.sweeps(case)
+        odd = os.path.join(os.path.dirname(case.dir), "it's (odd)")
+        os.rename(case.dir, odd)
+        results = os.path.join(os.path.dirname(odd), "made", "results")
+
+        def page():
+            made = subprocess.run([program("publishResults"), "-to", results, odd], text=True, capture_output=True,
+                                  check=False)
+            self.assertEqual((made.returncode, made.stderr), (0, ""))
+            with open(os.path.join(results, "it's (odd).md"), encoding="utf-8") as file:
+                return file.read()
+
+        self.assertTrue(page().startswith("# a \"quoted\" title\n\n"
+                                          "![workPrecision](<it's (odd)/workPrecision.png>)\n"))
+        with open(os.path.join(results, "README.md"), encoding="utf-8") as file:
+            self.assertIn("| [a \"quoted\" title](<it's (odd).md>) |", file.read())
+        os.remove(os.path.join(odd, "postProcessing/workPrecision/workPrecision.png")) # no gnuplot
+        self.assertNotIn("![", page())
+        self.assertEqual(subprocess.run([program("publishResults"), "-to"], capture_output=True, check=False).returncode, 2)
+
     def test_wrong_options(self):
         case = self.fake()
         for arguments in (("-jobs", "0"), ("-jobs", "two"), ("-plott",)):
