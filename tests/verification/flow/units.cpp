@@ -94,8 +94,8 @@ TEST(Units, X1_sameFlowInAnyUnits)
             const Scaled scaled = scaledFlow(L, U, settings());
             const double velocity = relativeL2(scaled.velocity, reference.velocity);
             const double pressure = relativeL2(scaled.pressure, reference.pressure);
-            EXPECT_LE(velocity, 1e-13) << name << " " << L << " " << U;
-            EXPECT_LE(pressure, 1e-10) << name << " " << L << " " << U;
+            EXPECT_LE(velocity, 2e-14) << name << " " << L << " " << U;
+            EXPECT_LE(pressure, 5e-14) << name << " " << L << " " << U;
             worstVelocity = std::max(worstVelocity, velocity);
             worstPressure = std::max(worstPressure, pressure);
             EXPECT_NEAR(scaled.start.projected, reference.start.projected, 1e-13);

@@ -103,8 +103,8 @@ TEST(WallExtremes, sameFlowInAnyUnits)
             {
                 SCOPED_TRACE(std::string(wallTreatments().nameOf(treatment)) + " " + std::to_string(std::log10(L)));
                 const auto [u, p] = scaledFlow(L, U, treatment, crankNicolson);
-                EXPECT_LE(relativeL2(u, velocity), 1e-11);
-                EXPECT_LE(relativeL2(p, pressure), 1e-8);
+                EXPECT_LE(relativeL2(u, velocity), 1e-12);
+                EXPECT_LE(relativeL2(p, pressure), 1e-11);
                 worstVelocity = std::max(worstVelocity, relativeL2(u, velocity));
                 worstPressure = std::max(worstPressure, relativeL2(p, pressure));
             }
