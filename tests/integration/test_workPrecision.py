@@ -197,7 +197,7 @@ class Sweeps(CaseTest):
 
     def test_it_fails_if_no_run_gives_a_result(self):
         case = self.fake(DICTIONARY.replace("10 20 40", "10"), failsAt=10)
-        self.refuses(case, "no run gave a result", arguments=())
+        self.refuses(case, "no run gave a result\n    the first: fakeFoam: system/flow:1: N: is unlucky", arguments=("-quiet",))
 
     def test_a_run_that_takes_too_long_is_stopped(self):
         case = self.fake(DICTIONARY.replace("10 20 40", "10") + "timeLimit 0.3;\n", sleeps=60)
@@ -391,6 +391,7 @@ external { other { file "validation/other.csv"; title "another code"; columns { 
         self.assertIn("6 of 6 runs are there already", self.sweeps(case))
         self.sweeps(case, "-clean")
         self.assertFalse(os.path.exists(case.path("workPrecision")))
+        self.assertIn("nothing to remove", self.sweeps(case, "-clean"))
 
     def test_errors_without_a_logarithm_are_told(self):
         # A run without any error is as good as one can ask for; one whose error is no number is not.

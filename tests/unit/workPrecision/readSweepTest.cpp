@@ -166,6 +166,8 @@ TEST(ReadSweep, TakesResultsFromElsewhere)
     {
         const TemporaryFolder folder;
         folder.write("box/validation/a.csv", "cpuTime [s],error,other\n1,0.1,3\n2,0.01,4\n");
+        folder.write("box/b.csv", "\xef\xbb\xbf\"cpuTime [s]\",\"error\"\r\n1,\"0.5\"\r\n");
+        folder.write("box/c.csv", "cpuTime,error\n1,small\n");
         folder.write("box/system/workPrecisionDict", "parameters { N { values (8 16); entry system/a.b; } }\n"
                                                      "error { report steps; }\nexternal { a { " +
                                                          external + " } }\n");
@@ -176,11 +178,13 @@ TEST(ReadSweep, TakesResultsFromElsewhere)
     EXPECT_THAT(plain.columns.at("cpuTime"), ElementsAre(1, 2));
     EXPECT_THAT(plain.columns.at("error"), ElementsAre(0.1, 0.01));
     EXPECT_FALSE(plain.columns.contains("other"));
+    EXPECT_THAT(read("file b.csv;").columns.at("error"), ElementsAre(0.5)); // as spreadsheets write it
+    EXPECT_THAT(messageOf([&] { read("file c.csv;"); }), HasSubstr("external.a.file: c.csv has no number for error"));
     EXPECT_THAT(read("file validation/a.csv; columns { cpuTime cpuTime; error other; }").columns.at("error"),
                 ElementsAre(3, 4));
     EXPECT_THAT(messageOf([&] { read("file validation/a.csv; columns { steps other; }"); }),
                 HasSubstr("external.a.columns: gives no picture both its columns, e.g. cpuTime and error"));
-    EXPECT_THAT(messageOf([&] { read("file b.csv;"); }), HasSubstr("external.a.file: there is no b.csv"));
+    EXPECT_THAT(messageOf([&] { read("file d.csv;"); }), HasSubstr("external.a.file: there is no d.csv"));
 }
 
 TEST(ReadSweep, RefusesWithLineAndAdvice)
@@ -206,6 +210,12 @@ TEST(ReadSweep, RefusesWithLineAndAdvice)
                 HasSubstr("has both report and command"));
     EXPECT_THAT(refusal("parameters { N (20); }\nerror { steps { report steps; } }"),
                 HasSubstr("the table has a column steps already"));
+    EXPECT_THAT(refusal("parameters { steps (20); }\nset { \"system/a\" { b $steps; } }" + tail),
+                HasSubstr("parameters.steps: the table has a column steps already"));
+    EXPECT_THAT(refusal("parameters { error (20); }" + tail),
+                HasSubstr(":1: parameters.error: is the name of an entry of this dictionary"));
+    EXPECT_THAT(foldersOf(sweepOf("parameters { N (20); }\nvariants { \"..\" { } \".\" { } }" + tail)),
+                ElementsAre("workPrecision/_../N20", "workPrecision/_./N20"));
     EXPECT_THAT(refusal("parameters { N (20); }\nplot { y eror; }" + tail),
                 HasSubstr("'eror' is no column of the table\n    known are: error, "));
     EXPECT_THAT(refusal("parameters { N (20); }\nexternal { other { file \"none.csv\"; columns { } } }" + tail),

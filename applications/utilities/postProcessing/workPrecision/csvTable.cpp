@@ -15,6 +15,8 @@ namespace isph
 namespace
 {
 
+constexpr std::string_view byteOrderMark = "\xef\xbb\xbf"; // as spreadsheets write it
+
 std::vector<std::string> cellsOf(std::string line)
 {
     if (line.ends_with('\r')) { line.pop_back(); }
@@ -28,6 +30,7 @@ std::vector<std::string> cellsOf(std::string line)
     {
         const std::size_t begin = std::min(cell.find_first_not_of(" \t"), cell.size());
         cell = cell.substr(begin, cell.find_last_not_of(" \t") + 1 - begin);
+        if (cell.size() > 1 && cell.starts_with('"') && cell.ends_with('"')) { cell = cell.substr(1, cell.size() - 2); }
     }
     return cells;
 }
@@ -43,6 +46,7 @@ CsvTable::CsvTable(const std::filesystem::path& file, std::string shownAs) : sho
     for (std::string line; std::getline(text, line);)
     {
         ++number;
+        if (number == 1 && line.starts_with(byteOrderMark)) { line.erase(0, byteOrderMark.size()); }
         if (line.starts_with('#') || line.find_first_not_of(" \t\r") == std::string::npos) { continue; }
         const std::vector<std::string> cells = cellsOf(std::move(line));
         if (heads_.empty())

@@ -5,6 +5,7 @@
 #include "workPrecisionSchema.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace isph
@@ -143,6 +144,13 @@ void readExternals(const Case& theCase, const Dictionary& dictionary, Sweep& swe
                 fmt::format("gives no picture both its columns, e.g. {} and {}", picture.x, picture.y),
                 fmt::format("write columns {{ {} ...; {} ...; }} (our name, column of the file); it has: {}", picture.x,
                             picture.y, fmt::join(table.names(), ", ")));
+        }
+        const auto empty = [](const auto& column)
+        { return std::ranges::none_of(column.second, [](double value) { return std::isfinite(value); }); };
+        if (const auto found = std::ranges::find_if(external.columns, empty); found != external.columns.end())
+        {
+            throw series.error("file", fmt::format("{} has no number for {}", file, found->first),
+                               "its columns are numbers, separated by commas");
         }
         sweep.externals.push_back(std::move(external));
     }

@@ -39,7 +39,8 @@ std::string forPath(const std::string& text)
         else if (!result.empty() && result.back() != '_') { result += '_'; }
     }
     while (result.ends_with('_')) { result.pop_back(); }
-    return result.empty() ? "_" : result;
+    const bool dots = result.find_first_not_of('.') == std::string::npos; // nothing, or a folder above
+    return dots ? "_" + result : result;
 }
 
 std::size_t resolutionOf(const Dictionary& dictionary, const std::vector<Parameter>& parameters)
@@ -190,7 +191,15 @@ std::vector<Quantity> quantitiesOf(const Dictionary& dictionary, Sweep& sweep)
 void checkNames(const std::vector<Quantity>& quantities, const Sweep& sweep)
 {
     std::vector<std::string> taken = runColumns();
-    for (const Parameter& parameter : sweep.parameters) { taken.push_back(parameter.name); }
+    for (const Parameter& parameter : sweep.parameters)
+    {
+        if (std::ranges::find(taken, parameter.name) != taken.end())
+        {
+            throw Error(Fault::input, parameter.origin,
+                        fmt::format("the table has a column {} already", parameter.name), "choose another name");
+        }
+        taken.push_back(parameter.name);
+    }
     for (const Quantity& quantity : quantities)
     {
         if (std::ranges::find(taken, quantity.name) != taken.end())
@@ -383,6 +392,14 @@ Sweep readSweep(const Case& theCase, bool reduced)
     Sweep sweep;
     sweep.reduced = reduced;
     sweep.parameters = text.parameters();
+    for (const Parameter& parameter : sweep.parameters)
+    {
+        const bool entry = std::ranges::any_of(workPrecisionSchema().keys(),
+                                               [&](const Key& key) { return key.name == parameter.name; });
+        if (!entry) { continue; }
+        throw Error(Fault::input, parameter.origin, "is the name of an entry of this dictionary",
+                    "choose another name");
+    }
     std::vector<std::string> first;
     for (const Parameter& parameter : sweep.parameters) { first.push_back(parameter.values.front()); }
     const Dictionary dictionary = workPrecisionSchema().complete(text.with(first));

@@ -96,6 +96,7 @@ static void report(const Results& results, const std::string& command, const fs:
 
 static void clean(const Case& theCase, Log& log)
 {
+    bool removed = false;
     std::optional<FileDescriptor> lock;
     if (theCase.has("workPrecision")) { lock.emplace(lockSweep(theCase.path("workPrecision"))); }
     for (const char* name : {"workPrecision", "postProcessing/workPrecision"})
@@ -105,7 +106,9 @@ static void clean(const Case& theCase, Log& log)
         fs::remove_all(theCase.path(name), error);
         if (error) { throwRefused(theCase.path(name), "could not be removed", error.value()); }
         log.line(fmt::format("Removed {}", name));
+        removed = true;
     }
+    if (!removed) { log.line("nothing to remove"); }
 }
 
 static void run(const CommandLine& line, Log& log)
@@ -132,7 +135,8 @@ static void run(const CommandLine& line, Log& log)
     if (std::ranges::none_of(records, isDone))
     {
         throw Error(Fault::input, {dictionaryName, 0, ""}, "no run gave a result",
-                    line.has("plot") ? "run workPrecision without -plot first" : "the reasons stand above");
+                    line.has("plot") ? "run workPrecision without -plot first"
+                                     : fmt::format("the first: {}", records.front().message));
     }
 }
 

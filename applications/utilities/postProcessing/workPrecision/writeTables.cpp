@@ -240,6 +240,7 @@ std::string cheapestText(const Results& results)
                             row.second ? curves[*row.second].title : "-",
                             row.secondCost ? cost(*row.secondCost) : "-"});
         }
+        if (!text.empty()) { text += '\n'; }
         text += aligned(rows);
     }
     return text;
