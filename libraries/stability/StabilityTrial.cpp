@@ -149,7 +149,7 @@ double growthBeyondStretching(const NoiseHistory& history, double rate)
 
 } // namespace
 
-TrialResult runFractions(StabilityTrial& trial, int steps, Timings& timings)
+TrialResult runFractions(StabilityTrial& trial, int steps, Timings& timings, const std::function<void(double)>& begins)
 {
     constexpr double ofReference = 0.5;
     constexpr double large = 4; // logarithm of all its growth
@@ -158,6 +158,7 @@ TrialResult runFractions(StabilityTrial& trial, int steps, Timings& timings)
     bool hides = trial.modesGrow;
     if (!trial.steady)
     {
+        begins(ofReference);
         reference = runTrial(trial, ofReference, 2 * steps, timings);
         const double grown = std::log(reference->amplitudes.back() / reference->amplitudes.front());
         const bool flowGrows = growthBeyondStretching(*reference, trial.stretching) <= growthThreshold && grown > large;
@@ -168,6 +169,7 @@ TrialResult runFractions(StabilityTrial& trial, int steps, Timings& timings)
     for (const double fraction : trial.fractions)
     {
         const bool isReference = reference && fraction == ofReference;
+        if (!isReference) { begins(fraction); }
         const NoiseHistory history =
             isReference ? *reference : runTrial(trial, fraction, stepsToSee(trial, fraction, steps), timings);
         TrialRow row{.term = trial.term, .fraction = fraction};

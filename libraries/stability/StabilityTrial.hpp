@@ -65,6 +65,8 @@ struct TrialResult
 ///
 /// Where the flow is not steady, its own growth is taken off: what half the limit shows, which must not be more than
 /// stretching can do. Growth that is large hides what a scheme adds to it; then anything may be seen.
-TrialResult runFractions(StabilityTrial& trial, int steps, Timings& timings);
+/// \param begins told each fraction before it is tried, for progress
+TrialResult runFractions(
+    StabilityTrial& trial, int steps, Timings& timings, const std::function<void(double)>& begins = [](double) {});
 
 } // namespace isph

@@ -93,7 +93,11 @@ static void run(const CommandLine& line, Log& log)
     {
         trial.modesGrow = report.modesMayGrow();
         TrialResult result;
-        if (report.tried) { result = runFractions(trial, steps, timings); }
+        const auto progress = [&](double fraction)
+        {
+            if (asText) { log.status(fmt::format("{}: {:.4g} of the limit", trial.term, fraction)); }
+        };
+        if (report.tried) { result = runFractions(trial, steps, timings, progress); }
         report.trials.push_back(summaryOf(trial, std::move(result)));
         if (asText) { printTrial(report.trials.back(), log); }
     }
