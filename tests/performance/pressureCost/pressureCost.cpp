@@ -13,10 +13,13 @@
 #include "pressureRace.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <fmt/format.h>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 using namespace isph;
@@ -193,12 +196,39 @@ residual of 1e-10. Seconds are processor time of one thread, the least of severa
     }
 }
 
+/// Points or smoothing lengths that a race can be run with.
 std::vector<double> numbers(const std::string& list)
 {
     std::vector<double> values;
     std::istringstream stream(list);
-    for (std::string value; std::getline(stream, value, ',');) { values.push_back(std::stod(value)); }
+    for (std::string text; std::getline(stream, text, ',');)
+    {
+        double value = 0;
+        const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (read.ec != std::errc() || read.ptr != text.data() + text.size() || !(value > 0 && value < 1e5))
+        {
+            throw std::invalid_argument("'" + text + "' is no number that can be");
+        }
+        values.push_back(value);
+    }
+    if (values.empty()) { throw std::invalid_argument("a list of numbers is missing"); }
     return values;
+}
+
+Options optionsOf(const std::vector<std::string>& words)
+{
+    Options options;
+    for (std::size_t i = 0; i < words.size(); i += 2)
+    {
+        const std::string value = i + 1 < words.size() ? words[i + 1] : "";
+        if (words[i] == "-sizes") { options.sizes = numbers(value); }
+        else if (words[i] == "-smoothing") { options.smoothing = numbers(value); }
+        else if (words[i] == "-points") { options.points = static_cast<int>(numbers(value).front()); }
+        else if (words[i] != "-kernel") { throw std::invalid_argument("unknown option " + words[i]); }
+        else if (std::ranges::find(racingKernels, value) != racingKernels.end()) { options.kernel = value; }
+        else { throw std::invalid_argument("there is no kernel '" + value + "' in the race"); }
+    }
+    return options;
 }
 
 } // namespace
@@ -206,19 +236,15 @@ std::vector<double> numbers(const std::string& list)
 int main(int argc, char** argv)
 {
     Options options;
-    for (int i = 1; i < argc; i += 2)
+    try
     {
-        const std::string option = argv[i];
-        const std::string value = i + 1 < argc ? argv[i + 1] : "";
-        if (option == "-sizes") { options.sizes = numbers(value); }
-        else if (option == "-smoothing") { options.smoothing = numbers(value); }
-        else if (option == "-points") { options.points = std::stoi(value); }
-        else if (option == "-kernel") { options.kernel = value; }
-        else
-        {
-            fmt::print(stderr, "pressureCost: unknown option {}\n", option);
-            return 2;
-        }
+        options = optionsOf({argv + 1, argv + argc});
+    }
+    catch (const std::invalid_argument& error)
+    {
+        fmt::print(stderr, "pressureCost: {}\n    -kernel {} -sizes N,... | -smoothing H,... [-points N], or nothing\n",
+                   error.what(), fmt::join(racingKernels, "|"));
+        return 2;
     }
     if (!options.sizes.empty()) { printCsv("N", options.sizes, options); }
     if (!options.smoothing.empty()) { printCsv("h/dx", options.smoothing, options); }
