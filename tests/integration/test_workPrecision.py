@@ -405,6 +405,12 @@ external { other { file "validation/other.csv"; title "another code"; columns { 
         self.assertEqual([(r["status"], r["error"]) for r in table(case) if r["N"] == "20"], [("done", ""), ("done", "0")])
         self.assertEqual({r["cheapest"] for r in table(case, "cheapest") if float(r["error"]) < 0.1}, {"fourth"})
 
+    def test_an_axis_of_few_decades_has_numbers(self):
+        for error, tics in (("echo 0.00003", "'2·10^{-5}' 2e-05, '5·10^{-5}' 5e-05"), ("echo 0.3", "'0.2' 0.2, '0.5' 0.5")):
+            case = self.fake(DICTIONARY.replace("cat error", error))
+            self.sweeps(case)
+            self.assertIn(tics, case.text("postProcessing/workPrecision/workPrecision.gp"))
+
     def test_no_picture_of_nothing(self):
         case = self.fake(DICTIONARY.replace("cat error", "echo 0"))
         self.assertIn("no workPrecision.svg: nothing to draw", self.sweeps(case))

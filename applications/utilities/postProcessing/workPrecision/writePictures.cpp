@@ -117,15 +117,19 @@ std::string axis(const std::vector<Series>& series, bool ofX, bool logarithmic)
         fmt::format("set {0}range [{1:.6g}:{2:.6g}]\nset logscale {0} 10\nset m{0}tics 10\n", name, low, high);
     // Powers of ten where there are many decades or plain numbers would be long; 1, 2, 5 where decades are few.
     const bool plain = low >= 1e-4 && high < 1e5;
-    if (!plain || high / low > 1e5) { return text + fmt::format("set format {} '10^{{%T}}'\n", name); }
-    if (high / low > 100) { return text + fmt::format("set format {} '%g'\n", name); }
+    const bool few = high / low <= 100;
+    if ((!plain && !few) || high / low > 1e5) { return text + fmt::format("set format {} '10^{{%T}}'\n", name); }
+    if (!few) { return text + fmt::format("set format {} '%g'\n", name); }
     std::vector<std::string> tics;
     for (int power = static_cast<int>(std::floor(std::log10(low))); std::pow(10.0, power) <= high; ++power)
     {
         for (const int digit : {1, 2, 5})
         {
             const double tic = digit * std::pow(10.0, power);
-            if (tic >= low && tic <= high) { tics.push_back(fmt::format("'{0:g}' {0:g}", tic)); }
+            if (tic < low || tic > high) { continue; }
+            const std::string digits = digit == 1 ? "" : fmt::format("{}·", digit);
+            const std::string shown = plain ? fmt::format("{:g}", tic) : fmt::format("{}10^{{{}}}", digits, power);
+            tics.push_back(fmt::format("'{}' {:g}", shown, tic));
         }
     }
     return text + fmt::format("set {}tics ({})\n", name, fmt::join(tics, ", "));
