@@ -17,7 +17,7 @@ namespace
 
 constexpr int deepestNesting = 64;
 
-/// Reads a JSON text from left to right into its plain values.
+/// Reads a JSON text from left to right and keeps its numbers.
 class JsonReader
 {
 public:
@@ -83,7 +83,7 @@ void JsonReader::readValue(const std::string& name, int depth)
     else if (takes("true")) { values_.numbers[name] = 1; }
     else if (takes("false")) { values_.numbers[name] = 0; }
     else if (takes("null")) { values_.numbers[name] = std::numeric_limits<double>::quiet_NaN(); }
-    else if (text_.substr(at_).starts_with('"')) { values_.texts[name] = readText(); }
+    else if (text_.substr(at_).starts_with('"')) { readText(); }
     else { values_.numbers[name] = readNumber(); }
 }
 
@@ -143,12 +143,6 @@ std::optional<double> JsonValues::number(std::string_view name) const
 {
     const auto found = numbers.find(name);
     return found == numbers.end() ? std::nullopt : std::optional(found->second);
-}
-
-std::optional<std::string> JsonValues::text(std::string_view name) const
-{
-    const auto found = texts.find(name);
-    return found == texts.end() ? std::nullopt : std::optional(found->second);
 }
 
 std::vector<std::string> JsonValues::numberNames() const

@@ -10,14 +10,12 @@
 namespace isph
 {
 
-/// The plain values of a JSON text by their scoped names: "errors.U.relL2", elements of arrays by number, "points.0".
+/// The numbers of a JSON text by their scoped names: "errors.U.relL2", elements of arrays by number, "points.0".
 struct JsonValues
 {
     std::map<std::string, double, std::less<>> numbers; ///< true is 1, false 0, null not a number
-    std::map<std::string, std::string, std::less<>> texts;
 
     std::optional<double> number(std::string_view name) const;
-    std::optional<std::string> text(std::string_view name) const;
     std::vector<std::string> numberNames() const;
 };
 

@@ -29,8 +29,6 @@ public:
     /// Of the last solve.
     const KrylovResult& result() const { return result_; }
 
-    const MorrisSystem& system() const { return *system_; }
-
 private:
     std::unique_ptr<MorrisSystem> system_; ///< where its weights stay when this moves
     std::unique_ptr<KrylovSolver> solver_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 
 namespace isph
@@ -49,8 +50,10 @@ double distance(const RealField& a, const RealField& b)
     return std::sqrt(squares);
 }
 
-} // namespace
-
+/// What noise does to a flow that marches.
+/// \param base velocity that noise differs from, and starts on, where there is no calm flow
+/// \param calm the same flow, to march without noise beside it; or null
+/// \param step length of the next step; not finite: nothing limits it, and the march ends
 NoiseHistory marchNoise(const TimeScheme& scheme, IncompressibleFlow& flow, IncompressibleFlow* calm,
                         const RealField& base, double start, int steps, const std::function<double()>& step)
 {
@@ -91,6 +94,8 @@ NoiseHistory marchNoise(const TimeScheme& scheme, IncompressibleFlow& flow, Inco
     return history;
 }
 
+} // namespace
+
 double growthOfProjection(const Lattice& lattice, const FlowSettings& settings, FlowBoundary& atRest)
 {
     constexpr int steps = 300;
@@ -103,6 +108,10 @@ double growthOfProjection(const Lattice& lattice, const FlowSettings& settings, 
     return growthOf(marchNoise(*settings.time, flow, nullptr, nothing, 0, steps, [=] { return anyStep; }));
 }
 
+namespace
+{
+
+/// Marches steps of a fraction of the limit, fewer where the noise has grown beyond doubt.
 NoiseHistory runTrial(StabilityTrial& trial, double fraction, int steps, Timings& timings)
 {
     Scene& scene = *trial.scene;
@@ -119,9 +128,6 @@ NoiseHistory runTrial(StabilityTrial& trial, double fraction, int steps, Timings
     };
     return marchNoise(scheme, *flow, calm.get(), trial.base, trial.time, steps, step);
 }
-
-namespace
-{
 
 /// Steps after which the fastest mode, one of all those that noise is made of, stands out clearly; not fewer than asked
 /// for, and as many as that where the modes are not expected to grow.

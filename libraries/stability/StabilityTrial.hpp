@@ -3,7 +3,6 @@
 #include "flow/Scene.hpp"
 #include "stability/judgeTrial.hpp"
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,7 +18,6 @@ struct StabilityTrial
     std::unique_ptr<Scene> scene;
     RealField base;        ///< velocity at the start [m/s]
     bool steady = true;    ///< the base does not change: noise is what differs from it, else from a flow without noise
-    bool ownLimit = false; ///< the limit is that of every step's velocity, and fractions are of it
     Prediction prediction; ///< of the linear flow, and the limit
     std::optional<double> unit; ///< fractions are of this step instead of the limit [s]
     bool modesGrow = false; ///< a term by itself grows with steps below its limit: a flow of all terms may do anything
@@ -28,19 +26,9 @@ struct StabilityTrial
     std::vector<double> fractions; ///< of the limit
 };
 
-/// What noise does to a flow that marches.
-/// \param base velocity that noise differs from, and starts on, where there is no calm flow
-/// \param calm the same flow, to march without noise beside it; or null
-/// \param step length of the next step; not finite: nothing limits it, and the march ends
-NoiseHistory marchNoise(const TimeScheme& scheme, IncompressibleFlow& flow, IncompressibleFlow* calm,
-                        const RealField& base, double start, int steps, const std::function<double()>& step);
-
 /// Growth of a step (logarithm) by the projection alone, in a bounded box with faces at rest.
 /// \param settings with convection none; to outlive the call
 double growthOfProjection(const Lattice& lattice, const FlowSettings& settings, FlowBoundary& atRest);
-
-/// Marches steps of a fraction of the limit, fewer where the noise has grown beyond doubt.
-NoiseHistory runTrial(StabilityTrial& trial, double fraction, int steps, Timings& timings);
 
 /// One row of a report.
 struct TrialRow

@@ -12,12 +12,17 @@
 namespace isph::test
 {
 
+namespace
+{
+
 KernelSettings racingKernel(const std::string& name, double smoothingLength)
 {
     if (name == "quinticSpline") { return quinticSpline(smoothingLength); }
     if (name == "gaussian4") { return sampledGaussian(4, smoothingLength, 4); }
     throw std::invalid_argument("there is no kernel " + name);
 }
+
+} // namespace
 
 PressureRace::PressureRace(int points, const std::string& kernel, double smoothingLength)
     : lattice_(unitSquare(points)),

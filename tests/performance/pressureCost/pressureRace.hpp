@@ -18,14 +18,12 @@ namespace isph::test
 /// The kernels of Fourtakas, Rogers & Nasar 2021: quintic spline cut at 3h, gaussian of order 4 cut at 4h.
 inline constexpr std::array<const char*, 2> racingKernels{"quinticSpline", "gaussian4"};
 
-/// \param name of racingKernels \throws std::invalid_argument
-KernelSettings racingKernel(const std::string& name, double smoothingLength);
-
 /// The pressure equation of one kernel in the unit box, with the Morris Laplacian, for solvers of either kind, and a
 /// random source of mean zero.
 class PressureRace
 {
 public:
+    /// \param kernel of racingKernels \throws std::invalid_argument
     PressureRace(int points, const std::string& kernel, double smoothingLength);
 
     const Lattice& lattice() const { return lattice_; }

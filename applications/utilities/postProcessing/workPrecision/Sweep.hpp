@@ -135,7 +135,7 @@ struct Sweep
     int threads = 1;
     int jobs = 1;
     int repetitions = 1;
-    double timeLimit = std::numeric_limits<double>::infinity(); ///< of one run [s]
+    double timeLimit = std::numeric_limits<double>::infinity(); ///< of the solver in one run [s]
     std::vector<Parameter> parameters;
     std::size_t resolution = 0; ///< the parameter along a line
     std::vector<Line> lines;

@@ -56,7 +56,7 @@ std::optional<Slope> fitSlope(const std::vector<double>& x, const std::vector<do
         xy += dx * (std::log(y[i]) - meanY);
     }
     if (xx <= 1e-20) { return std::nullopt; }
-    return Slope{xy / xx, meanY - xy / xx * meanX, static_cast<std::size_t>(count)};
+    return Slope{xy / xx, static_cast<std::size_t>(count)};
 }
 
 std::optional<CostOf> costOf(const CostCurve& curve, double error)

@@ -12,7 +12,6 @@ namespace isph
 struct Slope
 {
     double slope;
-    double logFactor;   ///< ln c
     std::size_t points; ///< that it was fitted to
 };
 

@@ -52,7 +52,7 @@ std::vector<Key> sweepKeys()
          .type = Type::number,
          .unit = "s",
          .fallback = "none",
-         .meaning = "of each run; one that exceeds it is stopped and reported",
+         .meaning = "of the solver; a run that exceeds it is stopped and reported",
          .words = {"none"},
          .positive = true},
         {.name = "parameters",

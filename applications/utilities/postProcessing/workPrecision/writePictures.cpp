@@ -143,8 +143,7 @@ int keyColumns(const std::vector<Series>& series)
     return longest > 36 || series.size() < 2 ? 1 : longest > 22 || series.size() < 3 ? 2 : 3;
 }
 
-} // namespace
-
+/// The commands of gnuplot that draw a picture, data included; ready to be run by hand in the folder of the picture.
 std::string pictureScript(const Results& results, const Picture& picture)
 {
     const std::vector<Series> series = seriesOf(results, picture);
@@ -204,6 +203,8 @@ std::string pictureScript(const Results& results, const Picture& picture)
     }
     return text;
 }
+
+} // namespace
 
 Drawing writePictures(const Results& results, const fs::path& folder)
 {

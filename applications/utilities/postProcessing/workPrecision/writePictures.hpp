@@ -5,9 +5,6 @@
 namespace isph
 {
 
-/// The commands of gnuplot that draw a picture, data included; ready to be run by hand in the folder of the picture.
-std::string pictureScript(const Results& results, const Picture& picture);
-
 /// What became of the pictures of a sweep, by name.
 struct Drawing
 {
