@@ -39,7 +39,7 @@ std::string describeFilter(const FilterSettings& filter)
     return "none";
 }
 
-/// "along y: smoothGram, degree 4, 25 new points make a period of 90, fast".
+/// "along y: smoothGram, degree 4, 31 new points make a period of 96, fast".
 std::string describeContinuation(const Axis& axis, const Continuation& continuation, const FlowSettings& settings)
 {
     const int period = axis.count + continuation.newPoints();

@@ -61,7 +61,8 @@ long smoothCountAbove(long n)
 long continuedCount(long n)
 {
     constexpr long leastNewPoints = 25; // fewer cost digits
-    return smoothCountAbove(n + leastNewPoints);
+    const long least = n + leastNewPoints;
+    return 4 * smoothCountAbove((least + 3) / 4);
 }
 
 } // namespace isph

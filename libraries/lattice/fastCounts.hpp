@@ -21,7 +21,8 @@ long smoothCountBelow(long n);
 long smoothCountAbove(long n);
 
 /// Length of a line of n points between walls with its new points, where schemes leave their number open: at least 25,
-/// more until the length is a product of 2, 3, 5 and 7 (docs/theory/continuation.md).
+/// more until the length is four times a product of 2, 3, 5 and 7. A real transform of odd length takes 2.5 to 3 times
+/// as long a point, one of twice an odd length 1.3 times (docs/theory/continuation.md).
 long continuedCount(long n);
 
 } // namespace isph

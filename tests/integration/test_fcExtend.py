@@ -60,8 +60,8 @@ class FcExtend(CaseTest):
         self.assertEqual(sorted(name for name in os.listdir(case.path("0"))), ["derivatives.h5", "extended.h5", "f"])
         with open(case.path("postProcessing/fcExtend/0/line_f_y.csv"), encoding="utf-8") as file:
             line = list(csv.DictReader(file))
-        self.assertEqual(len(line), 127)
-        self.assertEqual(sum(float(row["new"]) for row in line), 26)
+        self.assertEqual(len(line), 129)
+        self.assertEqual(sum(float(row["new"]) for row in line), 28)
         self.assertEqual(line[0]["f [1]"], line[-1]["f [1]"])
 
     def test_the_whole_extended_box(self):
@@ -85,7 +85,7 @@ class FcExtend(CaseTest):
             'expression "sin(2*pi*x)*(exp(y)*sin(5*y) + 0.5*y^3)"', 'expression ("sin(2*pi*x)*y*z" "z^2" "exp(y)")'))
         os.remove(case.path("system/fcExtendDict"))
         said = self.succeeds(case, "fcExtend", "-derivatives").stdout
-        for part in ("f.x along y: 61 + 29 points", "f.z along z: 61 + 29 points", "Wrote 0/derivatives.h5"):
+        for part in ("f.x along y: 61 + 35 points", "f.z along z: 61 + 35 points", "Wrote 0/derivatives.h5"):
             self.assertIn(part, said)
 
     def test_paraview(self):
@@ -96,9 +96,9 @@ class FcExtend(CaseTest):
             return
         self.assertIn("Wrote VTK/vortex_extended.pvd", self.succeeds(case, "fcExtend", "-vtk").stdout)
         self.assertEqual(sorted(os.listdir(case.path("VTK"))), ["vortex_extended.pvd", "vortex_extended_0.vti"])
-        # 12 and 126 periodic points, and the first again at the end.
+        # 12 and 128 periodic points, and the first again at the end.
         with open(case.path("VTK/vortex_extended_0.vti"), "rb") as file:
-            self.assertIn(b'WholeExtent="0 12 0 126 0 0"', file.read(500))
+            self.assertIn(b'WholeExtent="0 12 0 128 0 0"', file.read(500))
         result = case.run("toVTK", "-extended", "-derived")
         self.assertEqual(result.returncode, 2, result.stderr)
 

@@ -37,9 +37,9 @@ class Steering(Boxes):
 
     def test_fast_counts_are_said_to_be_fast(self):
         said = self.said()
-        self.assertIn("Transform along x: pressure 48 intervals, fast; derivatives 49 points and 26 new ones make 75, "
+        self.assertIn("Transform along x: pressure 48 intervals, fast; derivatives 49 points and 31 new ones make 80, "
                       "fast\n", said)
-        self.assertIn("Transform along y: pressure 60 intervals, fast; derivatives 61 points and 29 new ones make 90, "
+        self.assertIn("Transform along y: pressure 60 intervals, fast; derivatives 61 points and 35 new ones make 96, "
                       "fast\n", said)
 
     def test_slow_counts_name_the_nearest_fast_ones(self):
@@ -68,13 +68,13 @@ class Reports(Boxes):
         expected = {"kernel.order": "20", "convection": "advective", "laplacian": "secondDerivative",
                     "viscous": "auto", "meanFlow": "none", "dealiasing": "none", "continuation.type": "smoothGram",
                     "continuation.degree": "4", "continuation.smoothness": "16",
-                    "continuation.extension": "26 along x, 29 along y", "continuation.extended": "no",
+                    "continuation.extension": "31 along x, 35 along y", "continuation.extended": "no",
                     "walls": "consistent"}
         self.assertEqual({key: report["schemes"][key] for key in expected}, expected)
         self.assertNotIn("continuation.points", report["schemes"])
         self.assertNotIn("coupling.type", report["schemes"])
         self.assertIn("walls: consistent", report["active"])
-        self.assertIn("continuation along y: smoothGram, degree 4, 5 points at each end, 29 new points make a period of 90, "
+        self.assertIn("continuation along y: smoothGram, degree 4, 5 points at each end, 35 new points make a period of 96, "
                       "fast", report["active"])
         self.assertEqual(report["transformsPerSubstep"], 24)
         self.assertIn("24 a substep, 72 a step, each of the lines along one axis",

@@ -46,7 +46,7 @@ EXPECTED = {
         "gaussian4": (None, None, 0.34), "paper2021": "diverged",
     },
     "dipoleWall": {
-        "degree4": (None, None, 1.91e-2), "degree3": (None, None, 1.74e-3), "filtered3": (None, None, 4.1e-3),
+        "degree4": (None, None, 1.91e-2), "degree3": (None, None, 1.9e-3), "filtered3": (None, None, 4.1e-3),
         "gaussian4": (None, None, 5.31e-2),
     },
 }

@@ -22,14 +22,14 @@ std::unique_ptr<Continuation> chosen(const std::string& entries, const Axis& axi
 TEST(ContinuationSelection, HasTheDefaultsOfTheContract)
 {
     const auto smooth = chosen("", axisOf(101));
-    EXPECT_EQ(smooth->newPoints(), 25);
+    EXPECT_EQ(smooth->newPoints(), 27);
     EXPECT_EQ(smooth->points(), 5);
     const auto polynomial = chosen("type polynomial;", axisOf(101));
     EXPECT_EQ(polynomial->newPoints(), 25);
     EXPECT_EQ(polynomial->points(), 25);
     EXPECT_EQ(chosen("type polynomial;", axisOf(21))->points(), 8);
     const auto gram = chosen("type gram;", axisOf(65));
-    EXPECT_EQ(gram->newPoints(), 25);
+    EXPECT_EQ(gram->newPoints(), 31);
     const auto mirror = chosen("type mirror;", axisOf(12, true));
     EXPECT_EQ(mirror->newPoints(), 12);
 }

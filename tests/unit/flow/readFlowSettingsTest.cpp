@@ -74,7 +74,7 @@ TEST(SchemesOfALattice, HaveOthersWhereAnAxisIsBounded)
     EXPECT_EQ(settings.continuations[0], nullptr);
     ASSERT_NE(settings.continuations[1], nullptr);
     EXPECT_EQ(settings.continuations[1]->points(), 5);
-    EXPECT_EQ(settings.continuations[1]->newPoints(), 25);
+    EXPECT_EQ(settings.continuations[1]->newPoints(), 31);
     EXPECT_FALSE(settings.extended || settings.crankNicolson || settings.directPressure);
 }
 
@@ -233,8 +233,8 @@ TEST(SceneDescription, OfAChannelSaysWhatItsAxesDo)
     const Fluid fluid{.nu = 0.01};
     const SceneDescription scene = describeScene(channel(65), fluid, read(channel(65), kernel));
     EXPECT_THAT(scene.active,
-                Contains("continuation along y: smoothGram, degree 4, 5 points at each end, 25 new points "
-                         "make a period of 90, fast"));
+                Contains("continuation along y: smoothGram, degree 4, 5 points at each end, 31 new points "
+                         "make a period of 96, fast"));
     EXPECT_THAT(scene.active, Contains("walls: consistent"));
     EXPECT_THAT(scene.leftOut, Contains("continuation along x (periodic)"));
     EXPECT_TRUE(scene.transformsOfLines);

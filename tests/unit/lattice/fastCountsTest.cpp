@@ -36,10 +36,10 @@ TEST(SmoothCounts, AreProductsOfTheFirstFourPrimes)
     EXPECT_EQ(smoothCountBelow(22), 21);
 }
 
-TEST(ContinuedCounts, AreSmoothAndLeaveRoom)
+TEST(ContinuedCounts, AreMultiplesOfFourAndLeaveRoom)
 {
     for (const auto& [points, newPoints] :
-         {std::pair{33L, 27L}, {49L, 26L}, {65L, 25L}, {97L, 28L}, {129L, 31L}, {201L, 39L}, {257L, 31L}, {601L, 29L}})
+         {std::pair{33L, 27L}, {49L, 31L}, {65L, 31L}, {97L, 31L}, {129L, 31L}, {201L, 39L}, {257L, 31L}, {601L, 39L}})
     {
         EXPECT_EQ(continuedCount(points), points + newPoints) << points;
     }
