@@ -258,8 +258,9 @@ TEST(ContinuedHelmholtz, isOfFourthOrder)
 {
     const auto order = [](const AxisEnds& x, const AxisEnds& y, double alpha, double beta)
     {
-        // Over two doublings: the number of new points differs between lattices, and the error jumps with it. With degree 4
-        // the error of a second derivative has a root mean square of order 3.5 where the largest are those at walls.
+        // Over two doublings: the number of new points differs between lattices, and the error jumps with it. With
+        // degree 4 the error of a second derivative has a root mean square of order 3.5 where the largest are those at
+        // walls.
         const double coarse = manufacturedError(32, x, y, alpha, beta);
         const double fine = manufacturedError(128, x, y, alpha, beta);
         EXPECT_LE(fine, 2.4e-7);

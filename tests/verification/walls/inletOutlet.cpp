@@ -134,11 +134,11 @@ TEST(InletOutlet, poiseuilleStaysExact)
             BoundedRun run(lattice, Fluid{.nu = nu}, boundedSettings(lattice), std::move(faces));
             run.start([&](int c, double x, double y, double z) { return U(c, x, y, z, 0); });
             run.march(1, stepsOver(1, lattice, nu, 1.5));
-            EXPECT_LT(largestDifference(run.flow.velocity(), exact(lattice, U, 0)), 2e-9);
+            EXPECT_LT(largestDifference(run.flow.velocity(), exact(lattice, U, 0)), 1e-10);
             const RealField p = fieldOf(lattice, 1,
                                         [&](int, double x, double y, double)
                                         { return 12 * nu * (backwards ? (turned ? y : x) : 2 - (turned ? y : x)); });
-            EXPECT_LT(largestDifference(run.flow.pressure(1), p), 1e-8);
+            EXPECT_LT(largestDifference(run.flow.pressure(1), p), 2e-10);
         }
     }
 }
@@ -150,7 +150,7 @@ TEST(InletOutlet, poiseuilleStaysUnderOtherTreatments)
         WallTreatment walls;
         bool crankNicolson;
         double dt;
-        double bound = 1e-8;
+        double bound = 2e-9;
     };
     for (const Case& how :
          {Case{WallTreatment::paper, false, 0.005, 1e-3}, Case{WallTreatment::incremental, false, 0.005},
