@@ -3,6 +3,7 @@
 #include "flow/Scene.hpp"
 #include "stability/judgeTrial.hpp"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
