@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace isph
 {
@@ -40,9 +41,11 @@ std::optional<Error> StepGuard::divergence(const StepRates& rates, double dt, co
 {
     const bool finite = std::isfinite(rates.courant) && std::isfinite(rates.convective);
     const double over = finite ? stabilityMargin(scheme_, rates, dt).convective : 0;
-    // Ruled by convection, be it at a tenth of its limit by maxCo, and not short for the sake of output.
+    // Ruled by convection, be it far below its limit by maxCo, and not short for the sake of output.
+    const double maxCo = control.settings().maxCo.value_or(std::numeric_limits<double>::infinity());
+    const double ruled = std::min(largestStableStep(scheme_, rates), maxCo / rates.courant);
     const bool collapsed = dt < 1e-4 * longest_ && control.settings().endTime - control.time() > 1e5 * dt &&
-                           rates.convective > 0 && largestStableStep(scheme_, rates) < 10 * dt;
+                           rates.convective > 0 && ruled < 10 * dt;
     const bool grown = rates.convective == 0 && largestMargin_ > 1 && sizeOf(rates) > 1e9 * least_ && least_ > 0;
     if (finite && over <= divergedCo_ && !collapsed && !grown) { return std::nullopt; }
 

@@ -21,6 +21,19 @@ class Papers(CavityTest):
             case.solve(self)
             self.check_extrema(case, 100, bound)
 
+    def test_2021_cavity_that_diverges_in_steps_kept_small_leaves_its_last_state(self):
+        # Explicit mirrors at Re 1000 on 16 points: speeds grow, and steps shrink to a 23rd of what would be stable.
+        case = self.preset("paper2021", 16, "staggered", 60)
+        case.set("constant/transportProperties", "nu", "0.001")
+        case.set("system/controlDict", "maxCo", "0.1")
+        self.succeeds(case, "makeLattice")
+        result = case.run("isphFoam")
+        self.assertEqual(result.returncode, 3, result.stderr)
+        self.assertIn("speeds have grown", result.stderr)
+        self.assertEqual(case.report()["endedBecause"], "diverged")
+        self.assertAlmostEqual(float(case.times()[-1]), case.report()["time"], places=4)
+        self.assertLess(float(case.table("flow")[-1]["maxSpeed"]), 1e6)
+
     def test_2026_cavity_on_few_points_is_unstable(self):
         case = self.preset("paper2026", 48, "collocated", 20)
         self.succeeds(case, "makeLattice")

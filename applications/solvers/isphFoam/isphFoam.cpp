@@ -81,13 +81,28 @@ static void run(const CommandLine& line, Log& log)
         writeReport(flowCase, report.json(control, timings, ending));
     };
 
+    const auto leave = [&](const Error& diverged)
+    {
+        if (control.steps() > 0) { write(); }
+        finish(Ending::diverged);
+        throw Error(diverged);
+    };
+
     catchSignals();
     StepRates rates = flow->rates();
     observe();
     while (control.running())
     {
-        const double dt =
-            control.timeStep(stepLimits(scene.lattice, scene.fluid, *scene.settings.time, rates, functions.nextTime()));
+        double dt = 0;
+        try
+        {
+            dt = control.timeStep(
+                stepLimits(scene.lattice, scene.fluid, *scene.settings.time, rates, functions.nextTime()));
+        }
+        catch (const Error& noStep) // is left that would reach the end
+        {
+            leave(noStep);
+        }
         const StabilityMargin margin = guard.judge(rates, dt);
         advance(scheme, *flow, control.time(), dt);
         report.step(margin, flow->transforms());
@@ -97,9 +112,7 @@ static void run(const CommandLine& line, Log& log)
         if (const auto diverged = guard.divergence(rates, dt, control))
         {
             flow->stepBack();
-            if (control.steps() > 0) { write(); }
-            finish(Ending::diverged);
-            throw *diverged;
+            leave(*diverged);
         }
         control.advance();
         if (steady.asked()) { control.noteAcceleration(steady.acceleration(*flow, dt)); }

@@ -42,6 +42,10 @@ TEST(StepGuard, EndsARunWhoseStepsShrinkForEver)
     const auto diverged = guard.divergence(ratesOf(2e5), 5e-6, control);
     ASSERT_TRUE(diverged);
     EXPECT_NE(std::string(diverged->what()).find("speeds have grown"), std::string::npos);
+
+    settings.maxCo = 0.05; // a fortieth of the limit, which the steps above keep to
+    EXPECT_TRUE(guard.divergence(ratesOf(1e4), 5e-6, TimeControl(settings, TimeState{})));
+    EXPECT_FALSE(guard.divergence(ratesOf(10), 5e-6, TimeControl(settings, TimeState{})));
 }
 
 TEST(StepGuard, DoesNotMindStepsThatFrictionRuled)
