@@ -50,7 +50,7 @@ def commit():
             return ""
 
     name = said("rev-parse", "--short", "HEAD") or "unknown"
-    return name + (" and changes" if said("status", "--porcelain", "--untracked-files=no") else "")
+    return name + (" and changes" if said("status", "--porcelain", "--untracked-files=no", "--", ".", ":(exclude)docs") else "")
 
 
 def main():

@@ -27,7 +27,8 @@ std::string processor()
     return "unknown";
 }
 
-/// The commit of the sources that the programs were built from, if they are still there and git knows them.
+/// The commit of the sources that the programs were built from, if they are still there and git knows them; "-dirty"
+/// where they have changed since. Pages of results are written from several runs, so docs do not count.
 std::string commit()
 {
     const std::filesystem::path sources = std::filesystem::path(sourceEtc).parent_path();
@@ -39,14 +40,19 @@ std::string commit()
     try
     {
         std::filesystem::create_directories(folder);
-        said = outputOf(fmt::format("git -C '{}' describe --always --dirty", sources.string()), folder);
+        const std::string git = fmt::format("git -C '{}'", sources.string());
+        said = outputOf(git + " describe --always", folder);
+        said = said.substr(0, said.find_last_not_of(" \n") + 1);
+        if (!outputOf(git + " status --porcelain --untracked-files=no -- . ':(exclude)docs'", folder).empty())
+        {
+            said += "-dirty";
+        }
     }
     catch (const std::exception&)
     {
         said.clear();
     }
     std::filesystem::remove_all(folder, ignored);
-    said = said.substr(0, said.find_last_not_of(" \n") + 1);
     return said.empty() ? "unknown" : said;
 }
 
