@@ -359,6 +359,7 @@ void BoundedFlow::stepBack()
     std::swap(velocity_, before_);
     if (marchesPressure()) { std::swap(phi_, phiBefore_); }
     if (iterated_) { iterated_->stepBack(); }
+    lastStep_ = stepBefore_;
 }
 
 StepRates BoundedFlow::rates()

@@ -156,6 +156,7 @@ private:
     RealField pressure_;
     std::string fingerprint_;
     double lastStep_ = 0;
+    double stepBefore_ = 0;      ///< the step before the last one
     double explicitRate_ = 0;    ///< one over the largest step with every term explicit
     bool pressureKnown_ = false; ///< phi_ is one that can be marched
     bool mayYield_ = false;      ///< viscous auto, and there is a way to take the term implicitly

@@ -16,6 +16,20 @@ double sizeOf(const StepRates& rates) { return rates.magnitude > 0 ? rates.magni
 
 } // namespace
 
+std::optional<double> StepGuard::shorter(const StepRates& after, double dt, const TimeControl& control) const
+{
+    constexpr double tooFar = 2;
+    const TimeSettings& settings = control.settings();
+    // It is not the length of a tiny step that is to blame.
+    if (settings.deltaT || dt < 1e-10 * (settings.endTime - control.time())) { return std::nullopt; }
+    if (!std::isfinite(after.courant) || !std::isfinite(after.convective)) { return 0.1 * dt; }
+    const double over = std::max(stabilityMargin(scheme_, after, dt).convective,
+                                 settings.maxCo ? dt * after.courant / *settings.maxCo : 0);
+    if (over <= tooFar) { return std::nullopt; }
+    // A flow that a force speeds up has a Courant number that goes with the square of the step.
+    return dt * std::clamp(std::sqrt(settings.safetyFactor / over), 0.1, 0.5);
+}
+
 StabilityMargin StepGuard::judge(const StepRates& rates, double dt)
 {
     const StabilityMargin margin = stabilityMargin(scheme_, rates, dt);

@@ -20,7 +20,13 @@ public:
     {
     }
 
-    /// Margin of the next step; warns, once a run, of a step above the limit.
+    /// What a step of dt that was chosen by itself (deltaT auto) should have been where it is more than twice what the
+    /// flow bears that it led to, or than maxCo: a flow at rest, or nearly so, does not know how fast a force or a wall
+    /// is about to make it.
+    /// \return [s], at most half of dt
+    std::optional<double> shorter(const StepRates& after, double dt, const TimeControl& control) const;
+
+    /// Margin of a step; warns, once a run, of a step above the limit.
     StabilityMargin judge(const StepRates& rates, double dt);
 
     /// The error if the state after a step of dt has diverged: anything not finite, a Courant number divergedCo times

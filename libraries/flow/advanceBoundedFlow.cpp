@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace isph
 {
@@ -279,7 +280,7 @@ void BoundedFlow::advance(const Substep& substep, double t, double dt)
     if (substep.first)
     {
         copyInto(velocity_, before_);
-        lastStep_ = dt;
+        stepBefore_ = std::exchange(lastStep_, dt);
         if (mayYield_ && explicitRate_ == 0) { rates(); }
         implicit_ = fluid_.nu > 0 && (settings_.crankNicolson || (mayYield_ && dt * explicitRate_ > 1 && canYield()));
         // What an explicit step leaves is of a substep, not of the time it ends at: it is not marched on.

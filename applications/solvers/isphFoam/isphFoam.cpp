@@ -93,22 +93,31 @@ static void run(const CommandLine& line, Log& log)
     observe();
     while (control.running())
     {
+        StepLimits limits = stepLimits(scene.lattice, scene.fluid, scheme, rates, functions.nextTime());
         double dt = 0;
         try
         {
-            dt = control.timeStep(
-                stepLimits(scene.lattice, scene.fluid, *scene.settings.time, rates, functions.nextTime()));
+            dt = control.timeStep(limits);
         }
         catch (const Error& noStep) // is left that would reach the end
         {
             leave(noStep);
         }
-        const StabilityMargin margin = guard.judge(rates, dt);
         advance(scheme, *flow, control.time(), dt);
-        report.step(margin, flow->transforms());
+        StepRates after = flow->rates();
+        while (const auto shorter = guard.shorter(after, dt, control))
+        {
+            flow->stepBack();
+            rates = flow->rates();
+            limits.largestStable = *shorter / control.settings().safetyFactor;
+            dt = control.timeStep(limits);
+            advance(scheme, *flow, control.time(), dt);
+            after = flow->rates();
+        }
+        report.step(guard.judge(rates, dt), flow->transforms());
         notePressure(*flow, report, log);
 
-        rates = flow->rates();
+        rates = after;
         if (const auto diverged = guard.divergence(rates, dt, control))
         {
             flow->stepBack();

@@ -2,7 +2,9 @@
 
 #include "support/flows.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
 using namespace isph;
 using namespace isph::test;
@@ -46,6 +48,32 @@ TEST(StepGuard, EndsARunWhoseStepsShrinkForEver)
     settings.maxCo = 0.05; // a fortieth of the limit, which the steps above keep to
     EXPECT_TRUE(guard.divergence(ratesOf(1e4), 5e-6, TimeControl(settings, TimeState{})));
     EXPECT_FALSE(guard.divergence(ratesOf(10), 5e-6, TimeControl(settings, TimeState{})));
+}
+
+TEST(StepGuard, ShortensStepsThatFoundTheFlowTooSlow)
+{
+    Log log(Log::Report::none);
+    const StepGuard guard(log, *scheme("RK3"), 100);
+    TimeSettings settings;
+    settings.endTime = 10;
+    const auto shorter = [&](double after, double dt)
+    { return guard.shorter(ratesOf(after), dt, TimeControl(settings, TimeState{})); };
+    const double borne = largestStableStep(*scheme("RK3"), ratesOf(1)); // [s], and [1/s] for a step of 1 s
+
+    EXPECT_FALSE(shorter(0, 1));
+    EXPECT_FALSE(shorter(1.99 * borne, 1));
+    EXPECT_NEAR(shorter(2.01 * borne, 1).value(), 0.5, 1e-12) << "at most half";
+    EXPECT_NEAR(shorter(16 * borne, 1).value(), std::sqrt(0.8 / 16), 1e-12) << "as a force needs it";
+    EXPECT_NEAR(shorter(1e9 * borne, 1).value(), 0.1, 1e-12) << "not by more than ten at once";
+    EXPECT_NEAR(shorter(std::numeric_limits<double>::infinity(), 1).value(), 0.1, 1e-12);
+    EXPECT_NEAR(shorter(std::numeric_limits<double>::quiet_NaN(), 1).value(), 0.1, 1e-12);
+    EXPECT_FALSE(shorter(1e20, 1e-10)) << "no end of it";
+
+    settings.maxCo = 0.1;
+    EXPECT_FALSE(shorter(0.19, 1));
+    EXPECT_NEAR(shorter(0.8, 1).value(), std::sqrt(0.8 / 8), 1e-12);
+    settings.deltaT = 1;
+    EXPECT_FALSE(shorter(1e3 * borne, 1)) << "a step that was asked for is taken";
 }
 
 TEST(StepGuard, DoesNotMindStepsThatFrictionRuled)

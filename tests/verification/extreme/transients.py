@@ -41,6 +41,19 @@ def poiseuille(bench, viscous):
         bench.at_most(f"{intervals} intervals: error", scene.solve().error("L2(U)"), 1.1 * bound)
 
 
+def strongForce(bench, axes, force, nu, bound):
+    """A force that makes a fluid at rest fast in far less than a step of the default: laminar flow, and its approach."""
+    walls = axes == "pw"
+    rate = nu * math.pi**2 if walls else -nu * morris([2 * math.pi], [1.5 / 32], 10)
+    wave = "sin(pi*y)" if walls else "sin(2*pi*y)"
+    for times in (0.1, 8):
+        end = times / rate
+        scene = bench.scene(axes=axes, intervals=(8, 32), nu=nu, start=("0",), force=(f"{force!r}*{wave}",),
+                            exact=(f"{force / rate * -math.expm1(-times)!r}*{wave}",), endTime=end)
+        error = scene.solve().error("Linf(U)")
+        bench.at_most(f"t = {times:g} of its time: error over the speed", error / (force / rate), bound)
+
+
 def onOff(bench, axes):
     """A strong force of short pulses: the energy is what their work leaves, and falls once they are over."""
     force = "t < 0.05 ? 200*sin(2*pi*y)*sin(pi*y)^2*(floor(t*400) - 2*floor(t*200) < 0.5 ? 1 : 0) : 0"
@@ -105,6 +118,10 @@ for number, axes in enumerate(("pp", "pw", "ww"), 1):
     row(f"F4{number}", f"pulses of a strong force, {dict(pp='periodic', pw='channel', ww='box')[axes]}",
         "ten in 0.05 s, speed up to 5",
         "no more energy than the impulse has; it falls afterwards")(lambda bench, a=axes: onOff(bench, a))
+for number, (axes, force, nu, bound) in enumerate((("pp", 1e6, 10.0, 5e-6), ("pw", 1e6, 100.0, 1e-4)), 1):
+    row(f"F8{number}", f"a strong force on a fluid at rest, {dict(pp='periodic', pw='channel')[axes]}",
+        f"force {force:g}, nu {nu:g}, `deltaT auto`", f"laminar flow, to {bound:g} of its speed")(
+            lambda bench, a=axes, f=force, nu=nu, b=bound: strongForce(bench, a, f, nu, b))
 for number, (intervals, nu) in enumerate(((100, 0.01), (200, 0.1), (400, 0.1)), 1):
     row(f"F5{number}", "a wall oscillates, channel",
         f"100 periods per convective time, {intervals} intervals, nu {nu:g}",
