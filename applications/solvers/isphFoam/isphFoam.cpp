@@ -104,6 +104,7 @@ static void run(const CommandLine& line, Log& log)
             leave(noStep);
         }
         advance(scheme, *flow, control.time(), dt);
+        long transforms = flow->transforms();
         StepRates after = flow->rates();
         while (const auto shorter = guard.shorter(after, dt, control))
         {
@@ -112,9 +113,10 @@ static void run(const CommandLine& line, Log& log)
             limits.largestStable = *shorter / control.settings().safetyFactor;
             dt = control.timeStep(limits);
             advance(scheme, *flow, control.time(), dt);
+            transforms = flow->transforms();
             after = flow->rates();
         }
-        report.step(guard.judge(rates, dt), flow->transforms());
+        report.step(guard.judge(rates, dt), transforms);
         notePressure(*flow, report, log);
 
         rates = after;
