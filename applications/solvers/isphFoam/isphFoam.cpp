@@ -88,6 +88,14 @@ static void run(const CommandLine& line, Log& log)
         throw Error(diverged);
     };
 
+    long transforms = 0; // of steps, not of the rates after the last one
+    const auto step = [&](double dt)
+    {
+        advance(scheme, *flow, control.time(), dt);
+        transforms = flow->transforms();
+        return flow->rates();
+    };
+
     catchSignals();
     StepRates rates = flow->rates();
     observe();
@@ -103,18 +111,14 @@ static void run(const CommandLine& line, Log& log)
         {
             leave(noStep);
         }
-        advance(scheme, *flow, control.time(), dt);
-        long transforms = flow->transforms();
-        StepRates after = flow->rates();
+        StepRates after = step(dt);
         while (const auto shorter = guard.shorter(after, dt, control))
         {
             flow->stepBack();
             rates = flow->rates();
             limits.largestStable = *shorter / control.settings().safetyFactor;
             dt = control.timeStep(limits);
-            advance(scheme, *flow, control.time(), dt);
-            transforms = flow->transforms();
-            after = flow->rates();
+            after = step(dt);
         }
         report.step(guard.judge(rates, dt), transforms);
         notePressure(*flow, report, log);
